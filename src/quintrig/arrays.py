@@ -1,0 +1,76 @@
+"""Array types, and the checks that turn what a caller hands in into frozen arrays."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int8]
+BoolArray = NDArray[np.bool_]
+
+LARGEST = 1e50
+"""Largest coordinate: the curvature formula multiplies up to five of them, and must not overflow."""
+
+
+def frozen(values: ArrayLike, name: str, *shapes: tuple[int | None, ...]) -> FloatArray:
+    """Copy ``values`` to a read-only float64 array of one of ``shapes`` (None: any length).
+
+    Raises ValueError, naming ``name``, for a wrong shape, a value that is no number, NaN or infinity.
+    """
+    try:
+        raw: NDArray[Any] = np.asarray(values)
+    except ValueError as error:
+        raise ValueError(f"{name}: expected rows of equal length, found ragged ones ({error})") from None
+    if raw.dtype.kind not in "iuf":
+        raise ValueError(f"{name}: expected real numbers, found {_kind(raw)}")
+    if shapes and not any(_fits(raw.shape, shape) for shape in shapes):
+        expected = " or ".join(_spell(shape) for shape in shapes)
+        raise ValueError(f"{name}: expected an array of shape {expected}, found {_spell(raw.shape)}")
+    array: FloatArray = np.array(raw, dtype=np.float64, order="C")
+    wrong = np.argwhere(~(np.abs(array) <= LARGEST))
+    if len(wrong):
+        place = "".join(f"[{i}]" for i in wrong[0])
+        found = array[tuple(wrong[0])]
+        raise ValueError(f"{name}{place}: expected a finite number of size at most {LARGEST:g}, found {found:g}")
+    array.setflags(write=False)
+    return array
+
+
+def number(value: float, name: str) -> float:
+    """Return ``value`` as a finite float; raises ValueError naming ``name``."""
+    return float(frozen(value, name, ()))
+
+
+def parameter(values: ArrayLike, name: str) -> FloatArray:
+    """Return parameters as float64, all inside the domain [0, 1].
+
+    Raises ValueError, naming ``name``, the domain, the first offender and its place.
+    """
+    raw: NDArray[Any] = np.asarray(values)
+    if raw.dtype.kind not in "iuf":
+        raise ValueError(f"{name}: expected real numbers in the domain [0, 1], found {_kind(raw)}")
+    array: FloatArray = np.asarray(raw, dtype=np.float64)
+    # One comparison each way also catches NaN, since every comparison with it is false.
+    if array.size and not (array.min() >= 0.0 and array.max() <= 1.0):
+        wrong = np.argwhere(~((array >= 0.0) & (array <= 1.0)))
+        place = "".join(f"[{i}]" for i in wrong[0])
+        found = array[tuple(wrong[0])]
+        raise ValueError(
+            f"{name}{place} = {found:.17g} is outside the domain [0, 1] ({len(wrong)} such); "
+            "surfaces and curves are not extended beyond it: clip or leave out these parameters"
+        )
+    return array
+
+
+def _fits(found: tuple[int, ...], wanted: tuple[int | None, ...]) -> bool:
+    return len(found) == len(wanted) and all(w in (None, f) for f, w in zip(found, wanted, strict=True))
+
+
+def _spell(shape: tuple[int | None, ...]) -> str:
+    return " x ".join("n" if n is None else str(n) for n in shape) if shape else "single number"
+
+
+def _kind(raw: NDArray[Any]) -> str:
+    names = {"b": "true/false values", "U": "text", "S": "text", "c": "complex numbers"}
+    return names.get(raw.dtype.kind, f"values of type {raw.dtype}")

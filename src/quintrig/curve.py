@@ -1,0 +1,140 @@
+"""Quintic trigonometric (or classical) Bézier curves in the plane or in space."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from quintrig.arrays import FloatArray, frozen, parameter
+from quintrig.basis import BasisName, family
+from quintrig.functions import Functions
+
+_SINGULAR = 1e-13  # speed below this share of the polygon's length: the tangent is lost to rounding
+
+
+@dataclass(frozen=True, eq=False)
+class Curve:
+    """z(t) = Σ P_i f_i(t), t in [0, 1] (thesis eq. 2.1).
+
+    ``points`` is (6, 2) or (6, 3), any number of rows for ``basis="bernstein"``; ``alpha`` and ``zeta`` are in
+    [-4, 1] and act at t = 0 and t = 1. Raises ValueError for wrong counts, values or shape parameters.
+    """
+
+    points: FloatArray
+    alpha: float = 0.0
+    zeta: float = 0.0
+    basis: BasisName = "trigonometric"
+    unchecked_shape: bool = False
+
+    def __init__(
+        self,
+        points: ArrayLike,
+        alpha: float = 0.0,
+        zeta: float = 0.0,
+        basis: BasisName = "trigonometric",
+        unchecked_shape: bool = False,
+    ) -> None:
+        """Copy and check the points, then the basis that goes with them."""
+        object.__setattr__(self, "points", frozen(points, "points", (None, 2), (None, 3)))
+        object.__setattr__(self, "alpha", float(alpha))
+        object.__setattr__(self, "zeta", float(zeta))
+        object.__setattr__(self, "basis", basis)
+        object.__setattr__(self, "unchecked_shape", unchecked_shape)
+        _ = self.functions
+
+    @property
+    def functions(self) -> Functions:
+        """The basis functions f_i."""
+        return family(self.basis, len(self.points), self.alpha, self.zeta, self.unchecked_shape)
+
+    def __call__(self, t: ArrayLike) -> FloatArray:
+        """Return points, shape (*t.shape, 2 or 3), length¹; ValueError for t outside [0, 1]."""
+        return self.derivatives(t, 0)[0]
+
+    def derivatives(self, t: ArrayLike, order: int) -> FloatArray:
+        """Return derivatives 0 to ``order`` by t, shape (order + 1, *t.shape, 2 or 3), length¹."""
+        return self.functions.derivatives(parameter(t, "t"), order) @ self.points
+
+    def curvature(self, t: ArrayLike) -> FloatArray:
+        """Return the curvature |z' x z''| / |z'|³ >= 0, shape t.shape, length⁻¹; NaN where the speed vanishes."""
+        _, first, second = self.derivatives(t, 2)
+        return _norm(_cross(first, second)) / self._speed(first) ** 3
+
+    def signed_curvature(self, t: ArrayLike) -> FloatArray:
+        """Return the signed curvature of a plane curve, positive where it turns left, length⁻¹.
+
+        Raises ValueError for a curve in space, where only ``curvature`` has a meaning.
+        """
+        if self.points.shape[1] != 2:
+            raise ValueError("signed_curvature: expected a plane curve (n x 2 points); in space use curvature")
+        _, first, second = self.derivatives(t, 2)
+        return (first[..., 0] * second[..., 1] - first[..., 1] * second[..., 0]) / self._speed(first) ** 3
+
+    def torsion(self, t: ArrayLike) -> FloatArray:
+        """Return the torsion det(z', z'', z''') / |z' x z''|², length⁻¹; NaN where curvature or speed vanishes."""
+        _, first, second, third = self.derivatives(t, 3)
+        normal = _cross(first, second)
+        square = (normal**2).sum(axis=-1)
+        # Rounding of a vanishing cross product is of this size; below it the quotient means nothing.
+        noise = (1e-13 * _norm(first) * np.maximum(_norm(second), self._polygon())) ** 2
+        square = np.where(square <= noise, np.nan, square)
+        return (normal * _in_space(third)).sum(axis=-1) / square
+
+    def length(self, start: float = 0.0, end: float = 1.0, tolerance: float = 1e-12) -> float:
+        """Return the arc length between two parameters (negative when they are reversed), length¹.
+
+        Composite 16-point Gauss-Legendre, the panels doubled until two results agree to the relative ``tolerance``;
+        raises ValueError for parameters outside [0, 1] or a tolerance that is not reached with 4096 panels.
+        """
+        parameter([start, end], "t")
+        before, panels = np.nan, 2
+        while panels <= 4096:
+            now = self._panel_length(start, end, panels)
+            if abs(now - before) <= tolerance * max(abs(now), 1e-3 * self._polygon()):
+                return now
+            before, panels = now, 2 * panels
+        raise ValueError(f"length: tolerance {tolerance:g} not reached with 4096 panels; choose a larger one")
+
+    def comb(self, t: ArrayLike, scale: float | Literal["auto"] = "auto") -> FloatArray:
+        """Return the tips of the curvature comb, shape (*t.shape, 2 or 3), length¹.
+
+        A tooth at z(t) points away from the centre of curvature and has length ``scale`` times the curvature, so
+        ``scale`` is in length²; "auto" makes the longest tooth a quarter of the control polygon's length. NaN where the
+        speed vanishes.
+        """
+        point, first, second = self.derivatives(t, 2)
+        speed = self._speed(first)[..., None]
+        bend = second / speed**2 - first * ((first * second).sum(axis=-1, keepdims=True) / speed**4)
+        if scale == "auto":
+            longest = np.nanmax(_norm(bend), initial=0.0)
+            scale = 0.25 * self._polygon() / longest if longest > 0.0 else 0.0
+        return point - scale * bend
+
+    def _polygon(self) -> float:
+        return float(_norm(np.diff(self.points, axis=0)).sum())
+
+    def _speed(self, first: FloatArray) -> FloatArray:
+        speed = _norm(first)
+        return np.where(speed <= _SINGULAR * self._polygon(), np.nan, speed)
+
+    def _panel_length(self, start: float, end: float, panels: int) -> float:
+        nodes, weights = np.polynomial.legendre.leggauss(16)
+        edges = np.linspace(start, end, panels + 1)
+        half = 0.5 * (end - start) / panels
+        t = 0.5 * (edges[:-1] + edges[1:])[:, None] + half * nodes
+        speed = _norm(self.derivatives(np.clip(t, 0.0, 1.0), 1)[1])
+        return float((speed @ weights).sum() * half)
+
+
+def _norm(vectors: FloatArray) -> FloatArray:
+    return np.sqrt((vectors**2).sum(axis=-1))
+
+
+def _in_space(vectors: FloatArray) -> FloatArray:
+    missing = 3 - vectors.shape[-1]
+    return np.pad(vectors, [(0, 0)] * (vectors.ndim - 1) + [(0, missing)])
+
+
+def _cross(x: FloatArray, y: FloatArray) -> FloatArray:
+    return np.cross(_in_space(x), _in_space(y))

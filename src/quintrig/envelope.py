@@ -1,0 +1,123 @@
+"""The enveloping developable: the strip that a one-parameter family of planes touches (thesis §3.3)."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from quintrig.arrays import FloatArray, frozen
+from quintrig.basis import Bernstein, TangentBernstein, shape_parameter
+from quintrig.rational import WEIGHTS, degree_ten, wedge_points, without_factor
+from quintrig.surface import Net, Projected, Surface
+
+
+def developable(
+    planes: ArrayLike,
+    bounds: ArrayLike,
+    shape: Sequence[float] = (0.0, 0.0),
+    *,
+    flip: bool = False,
+    unchecked_shape: bool = False,
+) -> Surface:
+    """Return the strip enveloped by Π(t) = Σ f_i(t; α, ζ) L_i between two bounding planes (thesis §3.3.2).
+
+    ``planes`` (6, 4) and ``bounds`` (2, 4) hold (a, b, c, d) of a x + b y + c z + d = 0; ``shape`` is (α, ζ). The ruling at
+    u is Π ∩ Π'; v = 0 lies on the first bounding plane, v = 1 on the second. K = 0. The edge of regression may fall inside:
+    ask ``regression``. Raises ValueError for wrong counts or values, and where the planes envelop no strip at all.
+
+    The boundaries are exact: Π is a polynomial of degree 10 in w = tan(πt/4), so the ruling is one of degree 18 and meets a
+    plane in a rational curve of degree 18. With α or ζ = -4 the ruling has a factor w or 1 - w, which is divided out.
+    """
+    family = frozen(planes, "planes", (6, 4))
+    cuts = frozen(bounds, "bounds", (2, 4))
+    values = frozen(list(shape), "shape", (2,))
+    alpha = shape_parameter(float(values[0]), "shape[0] (alpha)", unchecked_shape)
+    zeta = shape_parameter(float(values[1]), "shape[1] (zeta)", unchecked_shape)
+    for name, vectors in (("planes", family), ("bounds", cuts)):
+        flat = np.flatnonzero(~(np.abs(vectors[:, :3]).max(axis=1) > 0.0))
+        if len(flat):
+            raise ValueError(f"{name}[{flat[0]}]: expected a plane [a, b, c, d], found one with a = b = c = 0")
+    rulings = wedge_points(degree_ten(family, alpha, zeta) * WEIGHTS[:, None])
+    rulings = without_factor(rulings, alpha == -4.0, zeta == -4.0)
+    points = np.stack([_meet(rulings, cut) for cut in cuts], axis=1)
+    if not np.abs(points[..., 3]).max() > 1e-12 * np.abs(points).max():
+        raise ValueError(
+            "planes: the control planes envelop no strip that the bounding planes cut (they are equal, parallel, or all "
+            "contain one line that a bounding plane contains too); change the planes or the bounds"
+        )
+    rows = Projected(Net(points, TangentBernstein(len(points) - 1)))
+    return Surface(rows, Bernstein(1), flip)
+
+
+@dataclass(frozen=True, eq=False)
+class Regression:
+    """Where the edge of regression of a ruled developable lies.
+
+    ``u`` (n,), ``v`` (n,) the parameter on each ruling where S_u x S_v vanishes (infinite on a cylinder), ``inside``
+    (n,) where that is within [0, 1], and ``intervals`` the ranges of u where it is, to 1e-10.
+    """
+
+    u: FloatArray
+    v: FloatArray
+    inside: np.ndarray[tuple[int], np.dtype[np.bool_]]
+    intervals: tuple[tuple[float, float], ...]
+
+
+def regression(surface: Surface, samples: int = 513) -> Regression:
+    """Locate the edge of regression of a ruled developable surface; ValueError for a blend that is not 1 - v, v.
+
+    On each ruling of a developable S_u x S_v is linear in v along one fixed normal, so it vanishes once:
+    at v = j_A / (j_A - j_B), with j the component at the two boundaries.
+    """
+    if surface.blend != Bernstein(1):
+        raise ValueError("regression: expected a surface with straight rulings in v")
+    u = np.linspace(0.0, 1.0, samples)
+    first, second = _jacobians(surface, u)
+    inside = first * second <= 0.0
+    intervals: list[tuple[float, float]] = []
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], inside, [False]]).astype(np.int8)))
+    for start, end in zip(edges[::2], edges[1::2], strict=True):
+        low = u[0] if start == 0 else _crossing(surface, u[start - 1], u[start])
+        high = u[-1] if end == len(u) else _crossing(surface, u[end], u[end - 1])
+        intervals.append((float(low), float(high)))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        v = first / (first - second)
+    return Regression(u, v, inside, tuple(intervals))
+
+
+def _jacobians(surface: Surface, u: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return S_u x S_v at both boundaries along the common unit normal, each (n,), length²."""
+    point, slope = surface.rows.derivatives(u, 1)
+    ruling = point[:, 1] - point[:, 0]
+    first, second = np.cross(slope[:, 0], ruling), np.cross(slope[:, 1], ruling)
+    # The larger one gives the direction of the normal; the other is parallel to it, or opposite.
+    larger = np.where(((first**2).sum(-1) > (second**2).sum(-1))[:, None], first, second)
+    length = np.sqrt((larger**2).sum(-1))
+    normal = larger / np.where(length > 0.0, length, 1.0)[:, None]
+    return (first * normal).sum(-1), (second * normal).sum(-1)
+
+
+def _crossing(surface: Surface, outside: float, inside: float) -> float:
+    """Bisect for the u where the edge of regression enters the strip."""
+    while abs(inside - outside) > 1e-10:
+        middle = 0.5 * (outside + inside)
+        first, second = _jacobians(surface, np.array([middle]))
+        outside, inside = (outside, middle) if first[0] * second[0] <= 0.0 else (middle, inside)
+    return inside
+
+
+def _meet(rulings: FloatArray, plane: FloatArray) -> FloatArray:
+    """Return the homogeneous points (n, 4) where the rulings meet a plane.
+
+    ``rulings`` are tensor products U ⊗ V of two planes, (n, 4, 4); the point common to three planes is their alternating
+    product. It is linear in U ⊗ V, so it acts on each Bernstein coefficient.
+    """
+    p = rulings - rulings.transpose(0, 2, 1)  # Plücker coordinates u_i v_j - u_j v_i
+    a, b, c, d = plane
+    # The 3 x 3 minors of (U, V, plane), expanded along the plane: det over columns i, j, k.
+    def minor(i: int, j: int, k: int) -> FloatArray:
+        e = (a, b, c, d)
+        return p[:, i, j] * e[k] - p[:, i, k] * e[j] + p[:, j, k] * e[i]
+
+    return np.stack([minor(1, 2, 3), -minor(0, 2, 3), minor(0, 1, 3), -minor(0, 1, 2)], axis=-1)
