@@ -5,6 +5,7 @@ The enveloping developable, which starts from planes, is in ``envelope``.
 """
 
 from collections.abc import Sequence
+from typing import TypedDict
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -15,6 +16,16 @@ from quintrig.functions import Joined
 from quintrig.surface import Net, Surface
 
 Shape = Sequence[float]
+
+
+class Options(TypedDict):
+    """The keyword arguments that every construction takes."""
+
+    basis: BasisName
+    flip: bool
+    unchecked_shape: bool
+
+
 _SHAPE_NAMES = ("alpha1", "zeta1", "alpha2", "zeta2")
 
 
@@ -110,9 +121,7 @@ def ruled(
     a = _polygon(first, "first", 3, basis)
     b = _polygon(second, "second", 3, basis)
     a1, z1, a2, z2 = _shape(shape, unchecked_shape)
-    functions = Joined(
-        (family(basis, len(a), a1, z1, unchecked_shape), family(basis, len(b), a2, z2, unchecked_shape))
-    )
+    functions = Joined((family(basis, len(a), a1, z1, unchecked_shape), family(basis, len(b), a2, z2, unchecked_shape)))
     points = np.zeros((len(a) + len(b), 2, 3))
     points[: len(a), 0] = a
     points[len(a) :, 1] = b

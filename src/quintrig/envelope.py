@@ -115,6 +115,7 @@ def _meet(rulings: FloatArray, plane: FloatArray) -> FloatArray:
     """
     p = rulings - rulings.transpose(0, 2, 1)  # Plücker coordinates u_i v_j - u_j v_i
     a, b, c, d = plane
+
     # The 3 x 3 minors of (U, V, plane), expanded along the plane: det over columns i, j, k.
     def minor(i: int, j: int, k: int) -> FloatArray:
         e = (a, b, c, d)
