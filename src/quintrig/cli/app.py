@@ -1,0 +1,51 @@
+"""The typer application: one module of this package for each command."""
+
+from typing import Annotated
+
+import typer
+
+from quintrig import __version__
+from quintrig.cli import check, compare, new, plot, report, reproduce, schema, table
+
+_HELP = """Quintic trigonometric Bézier surfaces: build them, read their curvature, decide.
+
+A model is a small TOML or JSON file of control points and shape parameters.
+"""
+
+_EPILOG = """[bold]First steps[/bold]
+  [cyan]quintrig new swept -o lid.toml[/cyan]
+  [cyan]quintrig check lid.toml[/cyan]
+  [cyan]quintrig report lid.toml out/lid[/cyan]
+[dim]Exit codes: 0 done; 1 check --strict found problems; 2 a mistake in the command or the model;
+70 a fault in quintrig; 130 interrupted.[/dim]"""
+
+
+def build() -> typer.Typer:
+    """Return the application with every command."""
+    app = typer.Typer(
+        name="quintrig",
+        rich_markup_mode="rich",
+        no_args_is_help=True,
+        add_completion=False,
+        pretty_exceptions_enable=False,
+        context_settings={"help_option_names": ["-h", "--help"]},
+    )
+    app.callback(help=_HELP, epilog=_EPILOG)(_options)
+    for module in (new, check, table, plot, report, compare, reproduce, schema):
+        module.register(app)
+    return app
+
+
+def _version(wanted: bool) -> None:
+    if wanted:
+        typer.echo(f"quintrig {__version__}")
+        raise typer.Exit
+
+
+def _options(
+    version: Annotated[
+        bool, typer.Option("--version", help="Print the version and stop.", callback=_version, is_eager=True)
+    ] = False,
+    debug: Annotated[bool, typer.Option("--debug", help="Show the traceback of a failure.")] = False,
+) -> None:
+    """Read the options that stand before the command; ``run`` has taken --debug out already."""

@@ -1,0 +1,35 @@
+"""``quintrig reproduce``: the figures and tables of the thesis, rebuilt on one page."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from quintrig.cli import session
+
+_EPILOG = session.examples(
+    ("quintrig reproduce out/thesis", "builds every figure and table into one page"),
+    ("quintrig reproduce --list", "prints the inventory: number, what it shows, model and view"),
+)
+
+
+def register(app: typer.Typer) -> None:
+    """Add the command."""
+    app.command(epilog=_EPILOG)(reproduce)
+
+
+def reproduce(
+    out: Annotated[Path | None, typer.Argument(metavar="OUT", help="Folder to write.", show_default=False)] = None,
+    inventory: Annotated[bool, typer.Option("--list", help="Print the inventory and build nothing.")] = False,
+) -> None:
+    """Rebuild the figures and tables of the thesis into one page to browse."""
+    from quintrig import reproduce as thesis
+
+    if inventory:
+        session.emit(thesis.inventory_text())
+        return
+    if out is None:
+        raise ValueError("OUT: expected a folder to write to, or --list to see what would be built")
+    with session.progress() as progress:
+        page = thesis.write_reproduction(out, progress=progress)
+    session.done(page)

@@ -1,0 +1,176 @@
+"""What every command shares: how a run ends, where messages go, and how models and numbers are read."""
+
+import os
+import sys
+import traceback
+from collections.abc import Callable, Generator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import typer
+
+from quintrig.errors import ModelError, QuintrigError
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+    from quintrig.model import Model, Patch
+
+FOUND, MISTAKE, FAULT, INTERRUPTED = 1, 2, 70, 130
+"""Exit codes: a check found problems, the user's mistake, a fault of quintrig, Ctrl-C."""
+
+
+def run(build: Callable[[], typer.Typer], arguments: Sequence[str]) -> int:
+    """Run the application and return the exit code; a mistake of the user is told in one line on stderr."""
+    debug = "--debug" in arguments
+    _prepare_streams()
+    try:
+        result = build()(
+            args=[word for word in arguments if word != "--debug"], prog_name="quintrig", standalone_mode=False
+        )
+        sys.stdout.flush()
+    except BrokenPipeError:
+        _silence_stdout()
+        return 0
+    except (KeyboardInterrupt, typer.Abort):
+        return _say("interrupted", INTERRUPTED)
+    except Exception as error:
+        if debug:
+            traceback.print_exc()
+        return _tell(error)
+    # Outside standalone mode typer returns the code of an Exit, or else what the command returned.
+    return result if isinstance(result, int) else 0
+
+
+def load(path: Path) -> "Model":
+    """Read a model file; ModelError in one line."""
+    from quintrig import model
+
+    return model.load(path)
+
+
+def patches(model: "Model", name: str | None) -> "tuple[Patch, ...]":
+    """Return the patch of this name, or every patch; ModelError where there is none of the name."""
+    return model.patches if name is None else (model.patch(name),)
+
+
+def messages() -> "Console":
+    """Return the console for progress and remarks: stderr, so that stdout holds data alone."""
+    from rich.console import Console
+
+    return Console(stderr=True, highlight=False, soft_wrap=True)
+
+
+def output() -> "Console":
+    """Return the console for what the user asked to see: stdout."""
+    from rich.console import Console
+
+    return Console(highlight=False)
+
+
+def emit(text: str) -> None:
+    """Write data to stdout as it is, ending in a newline."""
+    sys.stdout.write(text if text.endswith("\n") else text + "\n")
+
+
+@contextmanager
+def progress() -> "Generator[Callable[[str, int, int], None]]":
+    """Show a bar on stderr while a block runs; call it with what is being done, steps done and steps in all."""
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+
+    columns = (BarColumn(bar_width=24), MofNCompleteColumn(), TimeElapsedColumn(), TextColumn("{task.description}"))
+    with Progress(*columns, console=messages(), transient=True) as bar:
+        task = bar.add_task("", total=None)
+
+        def show(what: str, done: int, total: int) -> None:
+            bar.update(task, description=what, completed=done, total=total)
+
+        yield show
+
+
+def done(page: Path) -> None:
+    """Say where the page is: the path on stdout, so that a script can take it, with a word on stderr."""
+    sys.stderr.write("The page is ready; open it in a browser:\n")
+    emit(printable(str(page)))
+
+
+def wrote(path: Path) -> None:
+    """Say where the result is, on stderr."""
+    sys.stderr.write(f"wrote {printable(str(path))}\n")
+
+
+def numbers(text: str, count: int | None, name: str) -> tuple[float, ...]:
+    """Read numbers separated by commas; ValueError naming the option, what was expected and what was found."""
+    words = [word.strip() for word in text.split(",")]
+    expected = f"{count} numbers" if count else "numbers"
+    try:
+        values = tuple(float(word) for word in words)
+    except ValueError:
+        values = ()
+    if not values or (count and len(values) != count):
+        raise ValueError(f"{name}: expected {expected} separated by commas, got {text[:60]!r}")
+    return values
+
+
+def printable(text: str) -> str:
+    """Return the text on one line, with control characters, which could act on a terminal, spelled out."""
+    return "".join(c if c.isprintable() else repr(c)[1:-1] for c in " ".join(text.splitlines()))
+
+
+def examples(*pairs: tuple[str, str]) -> str:
+    """Return the examples that end a help text: each a command and what it does."""
+    lines = [f"  [cyan]{command}[/cyan]\n      [dim]{meaning}[/dim]" for command, meaning in pairs]
+    return "[bold]Examples[/bold]\n" + "\n".join(lines)
+
+
+def _tell(error: Exception) -> int:
+    """Say in one line what went wrong, and return the exit code."""
+    usage = getattr(error, "format_message", None)
+    if usage is not None:  # typer's own: a wrong option, a missing argument
+        text = str(usage()).rstrip(".")
+        return _say(f"{text}{_see_help(error)}", MISTAKE) if text else MISTAKE
+    if isinstance(error, (ModelError, QuintrigError)) or (isinstance(error, ValueError) and _is_ours(error)):
+        return _say(str(error), MISTAKE)
+    if isinstance(error, OSError):
+        place = f"{error.filename}: " if error.filename else ""
+        return _say(f"{place}{error.strerror or error}; check the path, the permissions and the free space", MISTAKE)
+    if isinstance(error, MemoryError):
+        return _say("not enough memory; ask for fewer points", MISTAKE)
+    what = f"{type(error).__name__}: {error}"[:200]
+    return _say(
+        f"a fault in quintrig itself ({what}); please report it with the command and the model; --debug shows where",
+        FAULT,
+    )
+
+
+def _see_help(error: Exception) -> str:
+    context = getattr(error, "ctx", None)
+    return f"; see {context.command_path} --help" if context is not None else ""
+
+
+def _is_ours(error: Exception) -> bool:
+    """Tell whether quintrig's own code raised the error: anything deeper is a fault, not a user's mistake."""
+    trace = error.__traceback__
+    while trace is not None and trace.tb_next is not None:
+        trace = trace.tb_next
+    return trace is not None and str(trace.tb_frame.f_globals.get("__name__", "")).startswith("quintrig")
+
+
+def _say(message: str, code: int) -> int:
+    sys.stderr.write(f"quintrig: {printable(message)}\n")
+    return code
+
+
+def _prepare_streams() -> None:
+    """Write UTF-8 to files and pipes, and never fail on a letter that the terminal lacks."""
+    reconfigure = getattr(sys.stdout, "reconfigure", None)
+    if reconfigure is not None and sys.stdout.isatty():
+        reconfigure(errors="replace")
+    elif reconfigure is not None:
+        reconfigure(encoding="utf-8", errors="backslashreplace")
+
+
+def _silence_stdout() -> None:
+    """Point stdout elsewhere, so that flushing it at exit does not fail on the broken pipe again."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
