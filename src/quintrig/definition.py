@@ -7,7 +7,7 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from quintrig import construct, envelope, reference
+from quintrig import construct, envelope, nurbs, reference
 from quintrig.arrays import LARGEST
 from quintrig.basis import BasisName
 from quintrig.surface import Surface
@@ -164,6 +164,33 @@ class Developable(Definition):
         )
 
 
+Degree = Annotated[int, Field(strict=True, ge=1, le=25)]
+Knots = Annotated[list[Number], Field(min_length=4, max_length=2048)]
+
+
+class Nurbs(Definition):
+    """NURBS surface, such as a face read from a CAD file."""
+
+    kind: Literal["nurbs"] = "nurbs"
+    degrees: Annotated[list[Degree], Field(min_length=2, max_length=2)] = Field(description="Degrees (p, q) in u and v")
+    knots: Annotated[list[Knots], Field(min_length=2, max_length=2)] = Field(
+        description="Full knot vectors in u and v: control points + degree + 1 numbers each; u, v in [0, 1] span them"
+    )
+    points: Annotated[list[Annotated[list[Point], Field(min_length=2, max_length=2048)]], Field(max_length=2048)] = (
+        Field(min_length=2, description="Control points [x, y, z]; points[i][j] with i along u, j along v")
+    )
+    weights: Annotated[list[list[Positive]], Field(max_length=2048)] | None = Field(
+        default=None, description="Weights of the control points, all 1 when left out"
+    )
+    trim: list[Annotated[list[Pair], Field(min_length=3)]] = Field(
+        default=[], description="Closed loops of [u, v] that bound the face on its surface"
+    )
+
+    def surface(self) -> Surface:
+        """Build the surface."""
+        return nurbs.nurbs(self.points, self.weights, self.degrees, self.knots, flip=self.flip, trim=self.trim)
+
+
 class Sphere(Definition):
     """Sphere."""
 
@@ -301,7 +328,9 @@ REFERENCES: tuple[type[Definition], ...] = (
 )
 """Kinds with curvature in closed form."""
 
-KINDS: dict[str, type[Definition]] = {_kind.model_fields["kind"].default: _kind for _kind in CONSTRUCTIONS + REFERENCES}
+KINDS: dict[str, type[Definition]] = {
+    _kind.model_fields["kind"].default: _kind for _kind in (*CONSTRUCTIONS, Nurbs, *REFERENCES)
+}
 """Definition class by kind."""
 
 Keys = dict[str, Any]

@@ -1,5 +1,6 @@
 """The one surface type: rows Q_j(u), curves in u, blended by scalar functions D_j(v)."""
 
+import math
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -7,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from quintrig import taylor
-from quintrig.arrays import FloatArray, parameter
+from quintrig.arrays import BoolArray, FloatArray, parameter
 from quintrig.functions import Functions
 
 
@@ -19,14 +20,19 @@ class Rows(Protocol):
         """Number of rows."""
         ...
 
+    @property
+    def dimension(self) -> int:
+        """3 for points, 4 for homogeneous coordinates (w x, w y, w z, w)."""
+        ...
+
     def derivatives(self, u: ArrayLike, order: int) -> FloatArray:
-        """Return derivatives 0 to ``order`` by u, shape (order + 1, *u.shape, size, 3), length¹."""
+        """Return derivatives 0 to ``order`` by u, shape (order + 1, *u.shape, size, dimension), length¹."""
         ...
 
 
 @dataclass(frozen=True, eq=False)
 class Net:
-    """Rows that share their functions: Q_j(u) = Σ_i f_i(u) P_ij, ``points`` of shape (i, j, 3), length¹."""
+    """Rows that share their functions: Q_j(u) = Σ_i f_i(u) P_ij, ``points`` of shape (i, j, 3 or 4), length¹."""
 
     points: FloatArray
     functions: Functions
@@ -35,6 +41,11 @@ class Net:
     def size(self) -> int:
         """Number of rows."""
         return self.points.shape[1]
+
+    @property
+    def dimension(self) -> int:
+        """3 for points, 4 for homogeneous coordinates."""
+        return self.points.shape[2]
 
     def derivatives(self, u: ArrayLike, order: int) -> FloatArray:
         """Return derivatives 0 to ``order`` by u, shape (order + 1, *u.shape, size, 3 or 4), length¹."""
@@ -53,6 +64,11 @@ class Projected:
         """Number of rows."""
         return self.homogeneous.size
 
+    @property
+    def dimension(self) -> int:
+        """3: the division is done here."""
+        return 3
+
     def derivatives(self, u: ArrayLike, order: int) -> FloatArray:
         """Return derivatives 0 to ``order`` by u, shape (order + 1, *u.shape, size, 3), length¹."""
         series = taylor.coefficients(self.homogeneous.derivatives(u, order))
@@ -64,13 +80,16 @@ class Surface:
     """S(u, v) = Σ_j Q_j(u) D_j(v) over (u, v) in [0, 1]².
 
     The normal points along S_u x S_v, against it when ``flip``. ``net`` is the control net to draw, shape (n, m, 3),
-    where the construction has one.
+    where the construction has one. Rows in homogeneous coordinates make a rational surface: the blended point is
+    divided by its own w. ``trim`` holds the closed loops (n, 2) of (u, v) that bound a face cut from the surface;
+    without any, all of it counts.
     """
 
     rows: Rows
     blend: Functions
     flip: bool = False
     net: FloatArray | None = None
+    trim: tuple[FloatArray, ...] = ()
 
     def __post_init__(self) -> None:
         """Check once that rows and blend go together."""
@@ -89,7 +108,28 @@ class Surface:
         """
         rows = self.rows.derivatives(parameter(u, "u"), order)
         blend = self.blend.derivatives(parameter(v, "v"), order)
-        return np.einsum("p...mx,q...m->pq...x", rows, blend)
+        blended = np.einsum("p...mx,q...m->pq...x", rows, blend)
+        return _projected(blended) if self.rational else blended
+
+    def inside(self, u: ArrayLike, v: ArrayLike) -> BoolArray:
+        """Return which parameters lie inside the ``trim`` loops, shape of u and v broadcast; all where there are none.
+
+        A point is inside where a line from it crosses the loops an odd number of times.
+        """
+        u, v = np.broadcast_arrays(parameter(u, "u"), parameter(v, "v"))
+        if not self.trim:
+            return np.ones(u.shape, dtype=np.bool_)
+        result: BoolArray = np.zeros(u.shape, dtype=np.bool_)
+        for loop in self.trim:
+            for (u0, v0), (u1, v1) in zip(loop, np.roll(loop, -1, axis=0), strict=True):
+                if v0 != v1:
+                    result ^= ((v0 > v) != (v1 > v)) & (u < u0 + (v - v0) / (v1 - v0) * (u1 - u0))
+        return result
+
+    @property
+    def rational(self) -> bool:
+        """Whether the rows are homogeneous, so that points are quotients."""
+        return self.rows.dimension == 4
 
     @property
     def sign(self) -> float:
@@ -102,3 +142,16 @@ class Surface:
         t = np.linspace(0.0, 1.0, 17)
         points = self(t[:, None], t[None, :])
         return float(np.linalg.norm(np.ptp(points, axis=(0, 1))))
+
+
+def _projected(blended: FloatArray) -> FloatArray:
+    """Divide homogeneous partials (p, q, ..., 4) by their last coordinate, by Leibniz's rule for w S."""
+    numerator, weight = blended[..., :3], blended[..., 3:]
+    result: FloatArray = np.empty_like(numerator)
+    for i, j in np.ndindex(blended.shape[:2]):
+        rest = numerator[i, j].copy()
+        for a, b in np.ndindex(i + 1, j + 1):
+            if (a, b) != (i, j):
+                rest -= math.comb(i, a) * math.comb(j, b) * weight[i - a, j - b] * result[a, b]
+        result[i, j] = rest / weight[0, 0]
+    return result

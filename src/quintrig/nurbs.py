@@ -1,0 +1,62 @@
+"""NURBS surfaces, as CAD files hold them: the general form in which everything rational can be analysed."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from quintrig.arrays import FloatArray, frozen
+from quintrig.bspline import BSpline, normalised
+from quintrig.surface import Net, Surface
+
+
+def nurbs(
+    points: ArrayLike,
+    weights: ArrayLike | None = None,
+    degrees: Sequence[int] | None = None,
+    knots: Sequence[ArrayLike] | None = None,
+    *,
+    flip: bool = False,
+    trim: Sequence[ArrayLike] = (),
+) -> Surface:
+    """Return S = ΣΣ w_ij P_ij N_i(u) N_j(v) / ΣΣ w_ij N_i(u) N_j(v) (Piegl and Tiller 1997, eq. 4.11).
+
+    ``points`` (n, m, 3), length¹; ``weights`` (n, m), positive, all 1 by default. Without ``degrees`` (p, q) and
+    ``knots`` (a full knot vector each, n + p + 1 and m + q + 1 long) it is one Bézier patch. Whatever interval the
+    knots span, u and v run over [0, 1]; ``trim`` holds closed loops in that square. Raises ValueError for counts or
+    values that do not fit.
+    """
+    net = frozen(points, "points", (None, None, 3))
+    n, m = net.shape[:2]
+    p, q = degrees if degrees is not None else (n - 1, m - 1)
+    if knots is None:
+        knots = [np.repeat([0.0, 1.0], p + 1), np.repeat([0.0, 1.0], q + 1)]
+    if len(knots) != 2:
+        raise ValueError(f"knots: expected two knot vectors, for u and v, found {len(knots)}")
+    u = _functions(knots[0], p, n, 0)
+    v = _functions(knots[1], q, m, 1)
+    loops = tuple(frozen(loop, f"trim[{i}]", (None, 2)) for i, loop in enumerate(trim))
+    if weights is None:
+        return Surface(Net(net, u), v, flip, net, loops)
+    w = frozen(weights, "weights", (n, m))
+    if not (w > 0.0).all():
+        i, j = np.argwhere(~(w > 0.0))[0]
+        raise ValueError(f"weights[{i}][{j}]: expected a number greater than 0, found {w[i, j]:g}")
+    if (w == w[0, 0]).all():
+        return Surface(Net(net, u), v, flip, net, loops)
+    homogeneous: FloatArray = np.concatenate([net * w[..., None], w[..., None]], axis=-1)
+    return Surface(Net(frozen(homogeneous, "points times weights"), u), v, flip, net, loops)
+
+
+def _functions(knots: ArrayLike, degree: int, count: int, axis: int) -> BSpline:
+    try:
+        functions = normalised(knots, degree)
+    except ValueError as error:
+        raise ValueError(f"knots[{axis}]: {error}") from None
+    if functions.size != count:
+        wanted = count + degree + 1
+        raise ValueError(
+            f"knots[{axis}]: expected {wanted} for {count} control points of degree {degree}, "
+            f"found {len(functions.knots)}"
+        )
+    return functions
