@@ -14,7 +14,7 @@ _EPILOG = session.examples(
 
 def register(app: typer.Typer) -> None:
     """Add the command."""
-    app.command(epilog=_EPILOG)(report)
+    session.add(app, report, _EPILOG)
 
 
 def report(

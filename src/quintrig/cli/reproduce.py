@@ -15,7 +15,7 @@ _EPILOG = session.examples(
 
 def register(app: typer.Typer) -> None:
     """Add the command."""
-    app.command(epilog=_EPILOG)(reproduce)
+    session.add(app, reproduce, _EPILOG)
 
 
 def reproduce(

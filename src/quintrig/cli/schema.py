@@ -15,7 +15,7 @@ _EPILOG = session.examples(
 
 def register(app: typer.Typer) -> None:
     """Add the command."""
-    app.command(epilog=_EPILOG)(schema)
+    session.add(app, schema, _EPILOG)
 
 
 def schema(
@@ -24,11 +24,6 @@ def schema(
     """Print the JSON Schema of model files."""
     import json
 
-    from quintrig.files import write_whole
     from quintrig.schema import json_schema
 
-    text = json.dumps(json_schema(), indent=2, ensure_ascii=False) + "\n"
-    if output is None:
-        session.emit(text)
-    else:
-        session.wrote(write_whole(output, text))
+    session.deliver(json.dumps(json_schema(), indent=2, ensure_ascii=False) + "\n", output)

@@ -100,6 +100,16 @@ def wrote(path: Path) -> None:
     sys.stderr.write(f"wrote {printable(str(path))}\n")
 
 
+def deliver(text: str, file: Path | None) -> None:
+    """Write data to a file, whole or not at all, and say so; without a file, to stdout."""
+    if file is None:
+        emit(text)
+        return
+    from quintrig.files import write_whole
+
+    wrote(write_whole(file, text))
+
+
 def numbers(text: str, count: int | None, name: str) -> tuple[float, ...]:
     """Read numbers separated by commas; ValueError naming the option, what was expected and what was found."""
     words = [word.strip() for word in text.split(",")]
@@ -116,6 +126,12 @@ def numbers(text: str, count: int | None, name: str) -> tuple[float, ...]:
 def printable(text: str) -> str:
     """Return the text on one line, with control characters, which could act on a terminal, spelled out."""
     return "".join(c if c.isprintable() else repr(c)[1:-1] for c in " ".join(text.splitlines()))
+
+
+def add(app: typer.Typer, command: Callable[..., None], epilog: str) -> None:
+    """Add a command, its docstring as help with every paragraph on a line of its own, to wrap at the screen's width."""
+    paragraphs = [" ".join(part.split()) for part in (command.__doc__ or "").split("\n\n")]
+    app.command(help="\n\n".join(paragraphs), epilog=epilog)(command)
 
 
 def examples(*pairs: tuple[str, str]) -> str:

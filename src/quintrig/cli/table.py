@@ -1,15 +1,140 @@
-"""``quintrig table``."""
+"""``quintrig table``: quantities at chosen points."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from quintrig.errors import QuintrigError
+from quintrig.cli import session
+from quintrig.cli.show import list_quantities, print_table
+
+if TYPE_CHECKING:
+    from quintrig.arrays import FloatArray
+
+_MOST = 1_000_000  # points: what a table can hold in memory and a person could want
+
+_EPILOG = session.examples(
+    ("quintrig table lid.toml", "5 x 5 points of the surface, on the screen"),
+    ("quintrig table lid.toml --at 0.5,0.5 --at 0,1", "two points"),
+    ("quintrig table lid.toml --grid 50x50 -o lid.csv", "2500 points with every digit, for other programs"),
+    ("quintrig table lid.toml -q gaussian,mean -o lid.tex", "K and H alone, for a paper"),
+    ("quintrig table lid.toml --metric both -q beta0,beta1", "invariants in both metrics"),
+)
 
 
 def register(app: typer.Typer) -> None:
     """Add the command."""
-    app.command()(table)
+    session.add(app, table, _EPILOG)
 
 
-def table() -> None:
-    """Not built yet."""
-    raise QuintrigError("table: not built yet")
+def table(
+    model: Annotated[Path, typer.Argument(metavar="MODEL", help="Model file, .toml or .json.", show_default=False)],
+    at: Annotated[
+        list[str] | None, typer.Option(metavar="U,V", help="A point, u and v in the domain from 0 to 1. Repeatable.")
+    ] = None,
+    grid: Annotated[
+        str | None, typer.Option(metavar="NUxNV", help="Points on a grid, edges included; 5x5 if nothing is chosen.")
+    ] = None,
+    points: Annotated[
+        Path | None, typer.Option(metavar="FILE.csv", help="Points from a file with a row u,v each.")
+    ] = None,
+    quantities: Annotated[
+        str | None,
+        typer.Option(
+            "-q", "--quantities", metavar="KEYS", help="Such as gaussian,mean,k1; a wrong one lists them all."
+        ),
+    ] = None,
+    metric: Annotated[
+        Literal["planar", "surface", "both"], typer.Option(help="Metric of the six invariants.")
+    ] = "planar",
+    patch: Annotated[str | None, typer.Option(metavar="NAME", help="Which surface of a model with several.")] = None,
+    form: Annotated[
+        Literal["text", "csv", "json", "md", "latex"] | None,
+        typer.Option("-f", "--format", help="Otherwise the ending of the output file tells: .csv .json .md .tex"),
+    ] = None,
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", metavar="FILE", help="Write to this file, not to the screen.")
+    ] = None,
+    listing: Annotated[
+        bool,
+        typer.Option(
+            "--list", help="Print the quantities there are and stop.", callback=list_quantities, is_eager=True
+        ),
+    ] = False,
+) -> None:
+    """Give position, curvatures, types and invariants at chosen points.
+
+    Gaussian and mean curvature, principal curvatures, shape index and curvedness, the four classifications and the six
+    algebraic invariants. It says the unit, which way the normal points, and what counts as zero.
+    """
+    chosen = _format(form, output)
+    u, v = _points(at, grid, points)
+    loaded = session.load(model)
+    from quintrig.table import tabulate
+    from quintrig.typeset import WRITERS
+
+    one = loaded.patch(patch)
+    keys = [word.strip() for word in quantities.split(",")] if quantities else None
+    title = loaded.name if len(loaded.patches) == 1 else f"{loaded.name}: {one.name}"
+    result = tabulate(one.surface, u, v, keys, metric=metric, unit=loaded.unit, title=title)
+    if chosen == "text":
+        print_table(result, session.output())
+    else:
+        session.deliver(WRITERS[chosen](result), output)
+
+
+def _format(form: str | None, output: Path | None) -> str:
+    """Return the format asked for, or the one of the file's ending; ValueError where neither tells."""
+    from quintrig.typeset import SUFFIXES
+
+    if output is None:
+        return form or "text"
+    chosen = form or SUFFIXES.get(output.suffix.lower())
+    if chosen is None or chosen == "text":
+        raise ValueError(
+            f"{output}: expected a name ending in {', '.join(SUFFIXES)}, or --format csv, json, md or latex"
+        )
+    return chosen
+
+
+def _points(at: Sequence[str] | None, grid: str | None, file: Path | None) -> "tuple[FloatArray, FloatArray]":
+    """Return the parameters asked for, as two arrays that broadcast."""
+    if sum(choice is not None and choice != [] for choice in (at, grid, file)) > 1:
+        raise ValueError("--at, --grid and --points: expected one of them, got several")
+    import numpy as np
+
+    if at:
+        pairs = np.array([session.numbers(text, 2, "--at") for text in at])
+        return pairs[:, 0], pairs[:, 1]
+    if file is not None:
+        return _from_file(file)
+    from quintrig.sample import grid as mesh
+
+    return mesh(*_counts(grid or "5x5"))
+
+
+def _counts(text: str) -> tuple[int, int]:
+    words = text.lower().replace("×", "x").split("x")
+    if len(words) == 1:
+        words *= 2
+    if len(words) != 2 or not all(word.strip().isascii() and word.strip().isdigit() for word in words):
+        raise ValueError(f"--grid: expected two counts such as 20x30, got {text[:60]!r}")
+    if any(len(word.strip()) > 9 for word in words) or int(words[0]) * int(words[1]) > _MOST:
+        raise ValueError(f"--grid: expected at most {_MOST:,} points, got {text[:60]}; choose a coarser grid")
+    return int(words[0]), int(words[1])
+
+
+def _from_file(file: Path) -> "tuple[FloatArray, FloatArray]":
+    import numpy as np
+
+    from quintrig.model import read_net
+
+    rows = read_net(file)
+    for index, row in enumerate(rows):
+        if len(row) != 2:
+            raise ValueError(f"{file}: row {index + 1}: expected 2 numbers, u and v, got {len(row)}")
+    if not rows or len(rows) > _MOST:
+        raise ValueError(f"{file}: expected 1 to {_MOST:,} rows of u and v, got {len(rows):,}")
+    pairs = np.array(rows)
+    return pairs[:, 0], pairs[:, 1]

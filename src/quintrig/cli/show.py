@@ -1,0 +1,82 @@
+"""Tables on the terminal."""
+
+from typing import TYPE_CHECKING
+
+import typer
+
+from quintrig.cli import session
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+    from quintrig.table import Column, Table
+
+
+def print_table(table: "Table", console: "Console") -> None:
+    """Print a table with its notes; one too wide for the screen is cut into parts below one another."""
+    from rich.markup import escape
+
+    if table.title:
+        console.print(f"[bold]{escape(table.title)}[/bold]")
+    for columns in _fitting(table, console.width):
+        console.print(_drawn(columns, table.lead))
+    for note in table.notes:
+        console.print(f"[dim]{escape(note)}[/dim]")
+
+
+def list_quantities(wanted: bool) -> None:
+    """Print the table of quantities and stop, for the option --list."""
+    if not wanted:
+        return
+    from rich import box
+    from rich.table import Table as Drawn
+
+    from quintrig.quantity import QUANTITIES
+
+    drawn = Drawn(box=box.SIMPLE_HEAD, pad_edge=False)
+    for heading in ("key", "symbol", "what it is", "unit (mm)"):
+        drawn.add_column(heading, no_wrap=heading == "key", style="cyan" if heading == "key" else None)
+    for q in QUANTITIES:
+        meaning = f"{q.name}: {q.meaning}" if q.meaning != q.name else q.name
+        drawn.add_row(q.key, q.symbol, meaning, q.unit("mm"))
+    session.output().print(drawn)
+    raise typer.Exit
+
+
+def _fitting(table: "Table", width: int) -> "list[tuple[Column, ...]]":
+    """Return the columns in the fewest parts of which each fits the screen."""
+    names, rest = table.columns[: table.lead], table.columns[table.lead :]
+    room = width - 1 - sum(map(_width, names))
+    parts: list[tuple[Column, ...]] = []
+    part: tuple[Column, ...] = ()
+    for column in rest:
+        if part and sum(map(_width, part)) + _width(column) > room:
+            parts.append(names + part)
+            part = ()
+        part += (column,)
+    return [*parts, names + part]
+
+
+def _width(column: "Column") -> int:
+    from quintrig.typeset import shown
+
+    # Two spaces between columns; a heading breaks between symbol and unit.
+    words = max(len(column.symbol), len(column.unit) + 2 * bool(column.unit))
+    return 2 + max(words, *(len(shown(value)) for value in column.rounded), 1)
+
+
+def _drawn(columns: "tuple[Column, ...]", lead: int) -> object:
+    from rich import box
+    from rich.table import Table as Drawn
+    from rich.text import Text
+
+    from quintrig.typeset import shown
+
+    drawn = Drawn(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 1, 0, 0))
+    for index, column in enumerate(columns):
+        heading = f"{column.symbol}\n({column.unit})" if column.unit else column.symbol
+        justify = "left" if column.is_text else "right"
+        drawn.add_column(heading, justify=justify, no_wrap=True, style="cyan" if index < lead else None)
+    for row in zip(*(column.rounded for column in columns), strict=True):
+        drawn.add_row(*(Text(shown(value)) for value in row))
+    return drawn
