@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from quintrig import taylor
-from quintrig.arrays import FloatArray, number, parameter
+from quintrig.arrays import BoolArray, FloatArray, number, parameter
 from quintrig.functions import Functions, sin_cos
 
 SHAPE_RANGE = (-4.0, 1.0)
@@ -43,7 +43,8 @@ class Trigonometric:
         """Return derivatives 0 to ``order``, shape (order + 1, *t.shape, 6); ValueError for t outside [0, 1].
 
         Written as products of powers of a = 1 - sin and b = 1 - cos, each computed without cancellation, because
-        they keep their relative accuracy at the end points, where a Fourier sum does not.
+        they keep their relative accuracy at the end points, where a Fourier sum does not. The two functions that a
+        shape parameter enters are integrated from their slopes, which vanish at that end when it is -4.
         """
         t = parameter(t, "t")
         sine, cosine = sin_cos(t)
@@ -52,18 +53,14 @@ class Trigonometric:
         a, b = -s, -c
         a[0] = 2.0 * np.sin(0.25 * np.pi * (1.0 - t)) ** 2
         b[0] = 2.0 * np.sin(0.25 * np.pi * t) ** 2
-        _, _, a2, a3, a4 = taylor.powers(a, 4)
-        _, _, b2, b3, b4 = taylor.powers(b, 4)
+        near_start = t < 0.5
+        f0, f1 = _end_pair(s, a, self.alpha, near_start)
+        f5, f4 = _end_pair(c, b, self.zeta, ~near_start)
+        a2, b2 = taylor.product(a, a), taylor.product(b, b)
         nine = taylor.constant(9.0, s)
-        functions = [
-            taylor.product(a4, self.alpha * a + taylor.constant(1.0 - self.alpha, s)),
-            taylor.product(taylor.product(s, a3), self.alpha * a + taylor.constant(4.0, s)),
-            taylor.product(taylor.product(a2, b), 8.0 * s + 3.0 * c + nine),
-            taylor.product(taylor.product(b2, a), 8.0 * c + 3.0 * s + nine),
-            taylor.product(taylor.product(c, b3), self.zeta * b + taylor.constant(4.0, s)),
-            taylor.product(b4, self.zeta * b + taylor.constant(1.0 - self.zeta, s)),
-        ]
-        return taylor.derivatives(np.stack(functions, axis=-1))
+        f2 = taylor.product(taylor.product(a2, b), 8.0 * s + 3.0 * c + nine)
+        f3 = taylor.product(taylor.product(b2, a), 8.0 * c + 3.0 * s + nine)
+        return taylor.derivatives(np.stack([f0, f1, f2, f3, f4, f5], axis=-1))
 
 
 @dataclass(frozen=True)
@@ -105,7 +102,7 @@ class TangentBernstein:
         return self.degree + 1
 
     def derivatives(self, t: ArrayLike, order: int) -> FloatArray:
-        """Return derivatives by t, 0 to ``order``, shape (order + 1, *t.shape, size); ValueError for t outside [0, 1]."""
+        """Return derivatives 0 to ``order`` by t, shape (order + 1, *t.shape, size); ValueError for t not in [0, 1]."""
         t = parameter(t, "t")
         rate = 0.25 * np.pi
         w: FloatArray = np.zeros((order + 1, *t.shape))
@@ -146,6 +143,31 @@ def bernstein_series(x: FloatArray, rest: FloatArray, degree: int) -> FloatArray
     up, down = taylor.powers(x, degree), taylor.powers(rest, degree)
     terms = [math.comb(degree, i) * taylor.product(up[i], down[degree - i]) for i in range(degree + 1)]
     return np.stack(terms, axis=-1)
+
+
+def _end_pair(s: FloatArray, a: FloatArray, alpha: float, near: BoolArray) -> tuple[FloatArray, FloatArray]:
+    """Return the series of f0 = a⁴ (1 - α s) and f1 = s a³ (4 + α - α s) from those of s and a = 1 - s.
+
+    ``near`` is true near the end where s = 0. The slopes by s are -a³ (4 + α - 5α s) and
+    a² ((a - 3s)(4 + α - α s) - α s a): near that end their terms do not cancel, whatever α, so that they keep their
+    relative accuracy.
+    """
+    _, _, a2, a3, a4 = taylor.powers(a, 4)
+
+    def linear(at_start: float, at_end: float) -> FloatArray:
+        """Return the series of a linear function of s from its values at s = 0 and s = 1."""
+        slope = at_end - at_start
+        series = slope * s
+        series[0] = np.where(near, at_start + slope * s[0], at_end - slope * a[0])
+        return series
+
+    q = linear(4.0 + alpha, 4.0)
+    speed = taylor.product(taylor.slope(s), a2)
+    f0_slope = -taylor.product(speed, taylor.product(a, linear(4.0 + alpha, 4.0 - 4.0 * alpha)))
+    f1_slope = taylor.product(speed, taylor.product(a - 3.0 * s, q) - alpha * taylor.product(s, a))
+    f0 = taylor.product(a4, linear(1.0, 1.0 - alpha))
+    f1 = taylor.product(taylor.product(s, a3), q)
+    return taylor.integral(f0_slope, f0[0]), taylor.integral(f1_slope, f1[0])
 
 
 def _rotation(value: FloatArray, slope: FloatArray, order: int) -> FloatArray:
