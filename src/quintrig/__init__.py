@@ -60,8 +60,6 @@ _HOME = {
 }
 _WHERE = {name: module for module, names in _HOME.items() for name in names}
 
-__all__ = sorted(_WHERE)
-
 
 def __getattr__(name: str) -> Any:
     if name not in _WHERE:
@@ -72,4 +70,4 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return [*__all__, "__version__"]
+    return [*sorted(_WHERE), "__version__"]

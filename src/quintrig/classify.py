@@ -1,4 +1,4 @@
-"""Classes of points: point type, HK type, shape class and the type that the signs of the invariants give (thesis tables 3.1-3.4).
+"""Classes of points: point type, HK type, shape class and invariant type (thesis tables 3.1-3.4).
 
 Every decision that a curvature is zero is made here, with thresholds that scale with the surface.
 """
@@ -6,7 +6,7 @@ Every decision that a curvature is zero is made here, with thresholds that scale
 from dataclasses import dataclass
 
 from quintrig.arrays import number
-from quintrig.curvature import scalar
+from quintrig.compiled import scalar
 
 POINT_TYPES = ("undefined", "elliptic", "hyperbolic", "parabolic", "planar", "umbilic")
 """Index is the code. An umbilic is an elliptic point with κ1 = κ2 (do Carmo 1976, §3.2)."""
@@ -38,7 +38,7 @@ SHAPE_CLASSES = (
     "spherical cap",
     "planar",
 )
-"""Koenderink's nine classes from S = -1 (code 1) to S = +1 (code 9), breaks at ±7/8, ±5/8, ±3/8, ±1/8; 10 where flat."""
+"""Index is the code: Koenderink's nine from S = -1 to S = +1, breaks at ±7/8, ±5/8, ±3/8, ±1/8; 10 where flat."""
 
 INVARIANT_TYPES = (
     "undefined",
@@ -52,16 +52,17 @@ INVARIANT_TYPES = (
     "trough",
     "saddle trough",
 )
-"""What the signs of β1 and β2 say of the height field, numbered like Besl's types: roof-like β1 < 0, bowl-like β1 > 0."""
+"""What the signs of β1 and β2 say of the height field, numbered like Besl's types (β1 for H, β2 for K)."""
 
 
 @dataclass(frozen=True)
 class Thresholds:
     """When a curvature counts as zero.
 
-    A point is flat where C times the surface's ``size`` (diagonal of its bounding box) is at most ``flat``. Elsewhere K is zero
-    where |K| <= ``relative`` C², H where |H| <= ``relative`` C, and κ1 = κ2 where (κ1 - κ2)/2 <= ``relative`` C. Both are pure numbers, so the classes
-    do not change with the unit or the size. Raises ValueError for values outside (0, 0.1].
+    A point is flat where C times the surface's ``size`` (diagonal of its bounding box) is at most ``flat``. Elsewhere
+    K is zero where |K| <= ``relative`` C², H where |H| <= ``relative`` C, and κ1 = κ2 where (κ1 - κ2)/2 <= ``relative``
+    C. Both are pure numbers, so the classes do not change with the unit or the size. Raises ValueError for values
+    outside (0, 0.1].
     """
 
     relative: float = 1e-6
@@ -79,12 +80,13 @@ class Thresholds:
         per = f" 1/{unit}" if unit else ""
         return (
             f"flat where the curvedness C <= {self.flat / size:.3g}{per} ({self.flat:g} / size); elsewhere K = 0 means "
-            f"|K| <= {self.relative:g} C², H = 0 means |H| <= {self.relative:g} C, and κ1 = κ2 means (κ1 - κ2)/2 <= {self.relative:g} C"
+            f"|K| <= {self.relative:g} C², H = 0 means |H| <= {self.relative:g} C, and κ1 = κ2 means "
+            f"(κ1 - κ2)/2 <= {self.relative:g} C"
         )
 
 
 @scalar
-def besl(gaussian, mean, curvedness, relative, flat):  # pyright: ignore
+def besl(gaussian: float, mean: float, curvedness: float, relative: float, flat: float) -> int:
     """Return Besl's number of the signs of K and H; 0 for NaN. ``flat`` is a curvedness, length⁻¹."""
     k_zero = relative * curvedness * curvedness
     h_zero = relative * curvedness
@@ -96,7 +98,7 @@ def besl(gaussian, mean, curvedness, relative, flat):  # pyright: ignore
 
 
 @scalar
-def point_type(code, radius, curvedness, relative):  # pyright: ignore
+def point_type(code: int, radius: float, curvedness: float, relative: float) -> int:
     """Return the point type from Besl's number; umbilic where R <= relative C."""
     column = (code - 1) % 3  # 0: K > 0, 1: K = 0, 2: K < 0
     result = 3 if column == 1 else 2
@@ -106,7 +108,7 @@ def point_type(code, radius, curvedness, relative):  # pyright: ignore
 
 
 @scalar
-def shape_class(index, code):  # pyright: ignore
+def shape_class(index: float, code: int) -> int:
     """Return Koenderink's class of a shape index; 10 where Besl's number says flat, 0 where undefined."""
     result = 1 + (index >= -0.875) + (index >= -0.625) + (index >= -0.375) + (index >= -0.125)
     result = result + (index > 0.125) + (index > 0.375) + (index > 0.625) + (index > 0.875)

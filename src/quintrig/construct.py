@@ -61,8 +61,8 @@ def symmetric(
 ) -> Surface:
     """Return the tensor-product surface on three rows (3, 6, 3) and their images in a plane (thesis §4.3.1).
 
-    ``mirror`` is (a, b, c, d) of the plane a x + b y + c z + d = 0. Row i = 3, 4, 5 of the net is the image of row 5 - i, so
-    the whole surface is its own mirror image where α1 = ζ1.
+    ``mirror`` is (a, b, c, d) of the plane a x + b y + c z + d = 0. Rows 3, 4, 5 of the net are the images of
+    rows 2, 1, 0, so the whole surface is its own mirror image where α1 = ζ1.
     """
     half = frozen(half_net, "points", (None, None, 3))
     plane = frozen(mirror, "mirror", (4,))

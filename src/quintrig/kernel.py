@@ -1,250 +1,123 @@
-"""The compiled driver behind every result, in two forms: a grid, whose rows are contracted once per u, and scattered points.
+"""The compiled driver behind every result: from rows and blend to curvature, in blocks of points.
 
-Points go through in blocks of ``BLOCK``. For each block the partial derivatives are formed and reduced to a few numbers per
-point in a scratch array that stays in the level-1 cache; then one loop per requested quantity reads that. Two things let the
-compiler vectorise: the number of rows is a constant of each compiled driver, so that the sum over rows unrolls, and all inputs
-of a block lie in one array at constant distances, so that few overlap checks are needed. Outputs are separate planes, one for
-each component; a plane of shape (0, 0) is a quantity that nobody asked for, and costs nothing.
+For each block the partial derivatives are formed and reduced to a few numbers a point in a scratch array that stays
+in the level-1 cache; ``planes`` turns those into the quantities asked for. Two things let the compiler vectorise the
+loop over the points of a block: the number of rows is a constant of each compiled driver, so that the sums over rows
+unroll, and all inputs of a block lie in one array at constant distances, so that one overlap check is enough. (Seen
+in the machine code: fused multiply-adds on full-width registers, one packed square root, no scalar ones; without the
+constant distances the loop stays scalar and takes four times as long.)
 """
 
-from collections.abc import Callable
 from functools import cache
-from typing import Any
+from typing import Protocol
 
 import numpy as np
-from numba import njit
 
-from quintrig import classify, curvature, invariants
-from quintrig.arrays import FloatArray, IntArray
-from quintrig.quantity import QUANTITIES
+from quintrig import curvature
+from quintrig.arrays import FloatArray
+from quintrig.blocks import BLOCK
+from quintrig.compiled import loop, scalar
+from quintrig.planes import SCRATCH_ROWS, CodePlanes, FloatPlanes, fill_planes, store_frame
 
-BLOCK = 128
-"""Points in a block: 30 scratch rows of 1 KiB each stay in a 32 KiB cache. Measured best of 64, 128, 256."""
+SIMPLE = frozenset({"gaussian", "mean"})
+"""Quantities that are one expression in a, b, c: they are written at once, without scratch rows of their own."""
 
-# NaN and infinity must survive: they mark singular points. Sums may be reordered and fused.
-_FAST = {"contract", "reassoc", "nsz", "arcp"}
-
-
-def _slots() -> tuple[dict[str, int], dict[str, int]]:
-    floats: dict[str, int] = {}
-    codes: dict[str, int] = {}
-    used = 0
-    for q in QUANTITIES:
-        if q.colour == "classes":
-            codes[q.key] = len(codes)
-        else:
-            floats[q.key] = used
-            used += q.components
-    return floats, codes
+FORM_ONLY = SIMPLE | {"k1", "k2", "curvedness", "shape_index", "point_type", "hk_type", "shape_class"}
+"""Quantities that follow from a, b, c alone, without point, normal or frame."""
 
 
-FLOAT_SLOTS, CODE_SLOTS = _slots()
-"""Index of the first output plane of each real quantity, and of the plane of each classification."""
+class Driver(Protocol):
+    """A compiled driver; see ``driver`` for the layout of the arguments."""
 
-FLOAT_PLANES = sum(q.components for q in QUANTITIES if q.colour != "classes")
-CODE_PLANES = len(CODE_SLOTS)
-
-_POINT, _NORMAL, _FORMS = FLOAT_SLOTS["point"], FLOAT_SLOTS["normal"], FLOAT_SLOTS["E"]
-_GAUSSIAN, _MEAN = FLOAT_SLOTS["gaussian"], FLOAT_SLOTS["mean"]
-_K1, _K2 = FLOAT_SLOTS["k1"], FLOAT_SLOTS["k2"]
-_DIRECTION1, _DIRECTION2 = FLOAT_SLOTS["direction1"], FLOAT_SLOTS["direction2"]
-_INDEX, _CURVEDNESS = FLOAT_SLOTS["shape_index"], FLOAT_SLOTS["curvedness"]
-_PLANAR, _SURFACE = FLOAT_SLOTS["beta0"], FLOAT_SLOTS["beta0_surface"]
-_POINT_TYPE, _HK = CODE_SLOTS["point_type"], CODE_SLOTS["hk_type"]
-_SHAPE, _INVARIANT = CODE_SLOTS["shape_class"], CODE_SLOTS["invariant_type"]
-
-NEEDS_ONLY_FORM = frozenset(
-    {"gaussian", "mean", "k1", "k2", "curvedness", "shape_index", "point_type", "hk_type", "shape_class"}
-)
-"""Quantities that follow from a, b, c alone, without normal or frame."""
-
-# Scratch rows: a b c | normal | e1 | e2 | point | E F G L M N | H R K C | six invariants | Besl's number
-_ROW_NORMAL, _ROW_E1, _ROW_E2, _ROW_POINT, _ROW_FORMS = 3, 6, 9, 12, 15
-_ROW_H, _ROW_R, _ROW_K, _ROW_C, _ROW_INVARIANTS = 21, 22, 23, 24, 25
-_ROWS = 31
-
-FloatPlanes = tuple[FloatArray, ...]
-CodePlanes = tuple[IntArray, ...]
-Driver = Callable[..., None]
-
-
-@njit(fastmath=_FAST, error_model="numpy", nogil=True, cache=True)
-def _copy(s: Any, row: int, n: int, out: Any, j: int) -> None:
-    for k in range(n):
-        out[j + k] = s[row * BLOCK + k]
-
-
-@njit(fastmath=_FAST, error_model="numpy", nogil=True, cache=True)
-def _finish(s, n, i, j, sign, relative, flat, noise, floats, codes):  # pyright: ignore
-    """Write the requested quantities of ``n`` points from scratch ``s`` to row i, columns j onwards."""
-    for k in range(n):
-        a, b, c = s[k], s[BLOCK + k], s[2 * BLOCK + k]
-        mean, radius = curvature.mean_and_radius(a, b, c)
-        s[_ROW_H * BLOCK + k] = mean
-        s[_ROW_R * BLOCK + k] = radius
-        s[_ROW_K * BLOCK + k] = a * c - b * b
-        s[_ROW_C * BLOCK + k] = np.sqrt(mean * mean + radius * radius)
-    if floats[_GAUSSIAN].size:
-        _copy(s, _ROW_K, n, floats[_GAUSSIAN][i], j)
-    if floats[_MEAN].size:
-        _copy(s, _ROW_H, n, floats[_MEAN][i], j)
-    if floats[_CURVEDNESS].size:
-        _copy(s, _ROW_C, n, floats[_CURVEDNESS][i], j)
-    if floats[_K1].size:
-        out = floats[_K1][i]
-        for k in range(n):
-            out[j + k] = s[_ROW_H * BLOCK + k] + s[_ROW_R * BLOCK + k]
-    if floats[_K2].size:
-        out = floats[_K2][i]
-        for k in range(n):
-            out[j + k] = s[_ROW_H * BLOCK + k] - s[_ROW_R * BLOCK + k]
-    if floats[_POINT].size:
-        for x in range(3):
-            _copy(s, _ROW_POINT + x, n, floats[_POINT + x][i], j)
-    if floats[_NORMAL].size:
-        for x in range(3):
-            _copy(s, _ROW_NORMAL + x, n, floats[_NORMAL + x][i], j)
-    for x in range(6):
-        if floats[_FORMS + x].size:
-            _copy(s, _ROW_FORMS + x, n, floats[_FORMS + x][i], j)
-    if floats[_DIRECTION1].size or floats[_DIRECTION2].size:
-        _directions(s, n, i, j, relative, floats)
-    if floats[_INDEX].size or codes[_SHAPE].size:
-        _indices(s, n, i, j, relative, flat, noise, floats, codes)
-    if codes[_HK].size:
-        out = codes[_HK][i]
-        for k in range(n):
-            out[j + k] = classify.besl(
-                s[_ROW_K * BLOCK + k], s[_ROW_H * BLOCK + k], s[_ROW_C * BLOCK + k], relative, flat
-            )
-    if codes[_POINT_TYPE].size:
-        out = codes[_POINT_TYPE][i]
-        for k in range(n):
-            h, r, c = s[_ROW_H * BLOCK + k], s[_ROW_R * BLOCK + k], s[_ROW_C * BLOCK + k]
-            code = classify.besl(s[_ROW_K * BLOCK + k], h, c, relative, flat)
-            out[j + k] = classify.point_type(code, r, c, relative)
-    wanted = codes[_INVARIANT].size
-    for x in range(6):
-        wanted += floats[_PLANAR + x].size + floats[_SURFACE + x].size
-    if wanted:
-        _six_invariants(s, n, i, j, sign, relative, flat, floats, codes)
-
-
-@njit(fastmath=_FAST, error_model="numpy", nogil=True, cache=True)
-def _directions(s, n, i, j, relative, floats):  # pyright: ignore
-    for x in range(3):
-        for second in range(2):
-            out = floats[(_DIRECTION2 if second else _DIRECTION1) + x]
-            if out.size:
-                row = out[i]
-                for k in range(n):
-                    a, b, c = s[k], s[BLOCK + k], s[2 * BLOCK + k]
-                    r = s[_ROW_R * BLOCK + k]
-                    p, q = curvature.principal_direction(a, b, c, r)
-                    e1, e2 = s[(_ROW_E1 + x) * BLOCK + k], s[(_ROW_E2 + x) * BLOCK + k]
-                    value = p * e2 - q * e1 if second else p * e1 + q * e2
-                    row[j + k] = value if r > relative * s[_ROW_C * BLOCK + k] else np.nan
-
-
-@njit(fastmath=_FAST, error_model="numpy", nogil=True, cache=True)
-def _indices(s, n, i, j, relative, flat, noise, floats, codes):  # pyright: ignore
-    for k in range(n):
-        h, r, c = s[_ROW_H * BLOCK + k], s[_ROW_R * BLOCK + k], s[_ROW_C * BLOCK + k]
-        index = curvature.shape_index(h, r, c, noise)
-        if floats[_INDEX].size:
-            floats[_INDEX][i, j + k] = index
-        if codes[_SHAPE].size:
-            code = classify.besl(s[_ROW_K * BLOCK + k], h, c, relative, flat)
-            codes[_SHAPE][i, j + k] = classify.shape_class(index, code)
-
-
-@njit(fastmath=_FAST, error_model="numpy", nogil=True, cache=True)
-def _six_invariants(s, n, i, j, sign, relative, flat, floats, codes):  # pyright: ignore
-    for metric in range(2):
-        for k in range(n):
-            z1, z2 = s[(_ROW_E1 + 2) * BLOCK + k], s[(_ROW_E2 + 2) * BLOCK + k]
-            nz = s[(_ROW_NORMAL + 2) * BLOCK + k]
-            g1, g2, g3 = invariants.slope_forms(s[k], s[BLOCK + k], s[2 * BLOCK + k], z1, z2, sign)
-            slope = z1 * z1 + z2 * z2
-            h, gauss = s[_ROW_H * BLOCK + k], s[_ROW_K * BLOCK + k]
-            if metric == 0:
-                values = invariants.planar(g1, g2, g3, slope, h, gauss, nz)
-            else:
-                values = invariants.surface(g1, g2, g3, slope, h, gauss, nz)
-            s[_ROW_INVARIANTS * BLOCK + k] = values[0]
-            s[(_ROW_INVARIANTS + 1) * BLOCK + k] = values[1]
-            s[(_ROW_INVARIANTS + 2) * BLOCK + k] = values[2]
-            s[(_ROW_INVARIANTS + 3) * BLOCK + k] = values[3]
-            s[(_ROW_INVARIANTS + 4) * BLOCK + k] = values[4]
-            s[(_ROW_INVARIANTS + 5) * BLOCK + k] = values[5]
-        for x in range(6):
-            out = floats[(_SURFACE if metric else _PLANAR) + x]
-            if out.size:
-                _copy(s, _ROW_INVARIANTS + x, n, out[i], j)
-        if metric == 0 and codes[_INVARIANT].size:
-            row = codes[_INVARIANT][i]
-            for k in range(n):
-                half = 0.5 * s[(_ROW_INVARIANTS + 1) * BLOCK + k]
-                det = s[(_ROW_INVARIANTS + 2) * BLOCK + k]
-                # max keeps rounding from a negative root; written so that NaN stays NaN.
-                square = 2.0 * half * half - det
-                row[j + k] = classify.besl(det, half, np.sqrt(square if not square < 0.0 else 0.0), relative, flat)
-
-
-@curvature.scalar
-def _frame(s, k, px, py, pz, ux, uy, uz, nx, ny, nz, e, f, g, el, em, en, sign):  # pyright: ignore
-    """Store point, normal, frame and fundamental forms of one point in scratch."""
-    scale = 1.0 / np.sqrt(e)
-    x, y, z = ux * scale, uy * scale, uz * scale
-    s[_ROW_NORMAL * BLOCK + k] = nx
-    s[(_ROW_NORMAL + 1) * BLOCK + k] = ny
-    s[(_ROW_NORMAL + 2) * BLOCK + k] = nz
-    s[_ROW_E1 * BLOCK + k] = x
-    s[(_ROW_E1 + 1) * BLOCK + k] = y
-    s[(_ROW_E1 + 2) * BLOCK + k] = z
-    s[_ROW_E2 * BLOCK + k] = sign * (ny * z - nz * y)
-    s[(_ROW_E2 + 1) * BLOCK + k] = sign * (nz * x - nx * z)
-    s[(_ROW_E2 + 2) * BLOCK + k] = sign * (nx * y - ny * x)
-    s[_ROW_POINT * BLOCK + k] = px
-    s[(_ROW_POINT + 1) * BLOCK + k] = py
-    s[(_ROW_POINT + 2) * BLOCK + k] = pz
-    s[_ROW_FORMS * BLOCK + k] = e
-    s[(_ROW_FORMS + 1) * BLOCK + k] = f
-    s[(_ROW_FORMS + 2) * BLOCK + k] = g
-    s[(_ROW_FORMS + 3) * BLOCK + k] = el
-    s[(_ROW_FORMS + 4) * BLOCK + k] = em
-    s[(_ROW_FORMS + 5) * BLOCK + k] = en
+    def __call__(
+        self,
+        rows: FloatArray,
+        net: FloatArray,
+        blend: FloatArray,
+        start: int,
+        stop: int,
+        count: int,
+        sign: float,
+        tiny: float,
+        relative: float,
+        flat: float,
+        noise: float,
+        gaussian: FloatArray,
+        mean: FloatArray,
+        floats: FloatPlanes,
+        codes: CodePlanes,
+    ) -> None:
+        """Fill the planes."""
+        ...
 
 
 @cache
-def driver(rows: int, full: bool, scattered: bool) -> Driver:
-    """Return the compiled driver for this many rows.
+def driver(size: int, functions: int, full: bool, simple: bool) -> Driver:
+    """Return the compiled driver for a surface of ``size`` rows.
 
-    ``full`` also forms the point, the frame and the fundamental forms. Arguments: R, the derivatives of the rows, ordered
-    (derivative, row, coordinate), shape (nu, 9 rows) for a grid and (blocks, 9 rows BLOCK), points last, for scattered points;
-    D (blocks, 3 rows BLOCK), those of the blend, ordered (derivative, row, point); the range of output rows, (0, 1) for scattered
-    points; the number of points in a row; then as for ``_finish``.
+    On a grid, ``functions`` is 0 and ``rows`` (nu, 9 size) holds the derivatives of the rows at each u, ordered
+    (derivative, row, coordinate), and output rows ``start`` to ``stop`` are filled. For scattered points it is the
+    number of functions that the rows share: ``rows`` (blocks, 3 functions BLOCK) holds those functions' derivatives,
+    ``net`` (functions, 3 size) the control points, and output row 0 is filled; -1 says that ``rows`` (blocks, 9 size
+    BLOCK) are row derivatives already. ``blend`` is (blocks, 3 size BLOCK), ``count`` the number of points in an
+    output row. ``full`` also forms point, frame and fundamental forms, ``simple`` writes K and H only.
     """
     # Along a row of a grid u is fixed, so all points of a block share one set of row derivatives.
-    stride, step = (BLOCK, 1) if scattered else (1, 0)
+    stride, step = (1, 0) if functions == 0 else (BLOCK, 1)
+    terms = 3 * size
 
-    @njit(fastmath=_FAST, error_model="numpy", nogil=True, cache=True)
-    def drive(R, D, start, stop, count, sign, tiny, relative, flat, noise, floats, codes):  # pyright: ignore
-        s = np.empty(_ROWS * BLOCK)
+    @scalar
+    def contract(f: FloatArray, net: FloatArray, r: FloatArray) -> None:
+        """Form the row derivatives of a block from the functions and the control points."""
+        for x in range(terms):
+            for k in range(BLOCK):
+                value = first = second = 0.0
+                for i in range(functions):
+                    p = net[i * terms + x]
+                    value += f[i * BLOCK + k] * p
+                    first += f[(functions + i) * BLOCK + k] * p
+                    second += f[(2 * functions + i) * BLOCK + k] * p
+                r[x * BLOCK + k] = value
+                r[(terms + x) * BLOCK + k] = first
+                r[(2 * terms + x) * BLOCK + k] = second
+
+    @loop
+    def drive(
+        rows: FloatArray,
+        net: FloatArray,
+        blend: FloatArray,
+        start: int,
+        stop: int,
+        count: int,
+        sign: float,
+        tiny: float,
+        relative: float,
+        flat: float,
+        noise: float,
+        gaussian: FloatArray,
+        mean: FloatArray,
+        floats: FloatPlanes,
+        codes: CodePlanes,
+    ) -> None:
+        s = np.empty(SCRATCH_ROWS * BLOCK)
+        contracted = np.empty(3 * terms * BLOCK)
         for i in range(start, stop):
-            for block in range(D.shape[0]):
-                r = R[block] if scattered else R[i]
-                d = D[block]
+            for block in range(blend.shape[0]):
+                d = blend[block]
+                r = rows[i if functions == 0 else block]
+                if functions > 0:
+                    contract(r, net, contracted)
+                    r = contracted
                 for k in range(BLOCK):
                     px = py = pz = ux = uy = uz = vx = vy = vz = 0.0
                     uux = uuy = uuz = uvx = uvy = uvz = vvx = vvy = vvz = 0.0
-                    for m in range(rows):
-                        d0, d1, d2 = d[m * BLOCK + k], d[(rows + m) * BLOCK + k], d[(2 * rows + m) * BLOCK + k]
+                    for m in range(size):
+                        d0, d1, d2 = d[m * BLOCK + k], d[(size + m) * BLOCK + k], d[(2 * size + m) * BLOCK + k]
                         q, t = 3 * m * stride, step * k
                         x, y, z = r[q + t], r[q + stride + t], r[q + 2 * stride + t]
-                        q = 3 * (rows + m) * stride
+                        q = (terms + 3 * m) * stride
                         xu, yu, zu = r[q + t], r[q + stride + t], r[q + 2 * stride + t]
-                        q = 3 * (2 * rows + m) * stride
+                        q = (2 * terms + 3 * m) * stride
                         xuu, yuu, zuu = r[q + t], r[q + stride + t], r[q + 2 * stride + t]
                         if full:
                             px += x * d0
@@ -275,8 +148,19 @@ def driver(rows: int, full: bool, scattered: bool) -> Driver:
                     s[BLOCK + k] = b
                     s[2 * BLOCK + k] = c
                     if full:
-                        _frame(s, k, px, py, pz, ux, uy, uz, nx, ny, nz, e, f, g, el, em, en, sign)
-                n = min(BLOCK, count - block * BLOCK)
-                _finish(s, n, i, block * BLOCK, sign, relative, flat, noise, floats, codes)
+                        store_frame(s, k, (px, py, pz), (ux, uy, uz), (nx, ny, nz), (e, f, g), (el, em, en), sign)
+                j = block * BLOCK
+                n = min(BLOCK, count - j)
+                if simple:
+                    if gaussian.size:
+                        out = gaussian[i]
+                        for k in range(n):
+                            out[j + k] = s[k] * s[2 * BLOCK + k] - s[BLOCK + k] * s[BLOCK + k]
+                    if mean.size:
+                        out = mean[i]
+                        for k in range(n):
+                            out[j + k] = 0.5 * (s[k] + s[2 * BLOCK + k])
+                else:
+                    fill_planes(s, n, i, j, sign, relative, flat, noise, floats, codes)
 
     return drive

@@ -92,7 +92,7 @@ class Model:
             raise ModelError(f"model: expected keys and values, got {_spell(data)}")
         data = cast(dict[str, Any], _plain(dict(data)))
         version = data.pop("schema", SCHEMA_VERSION)
-        if version != SCHEMA_VERSION or isinstance(version, bool):
+        if isinstance(version, bool) or version != SCHEMA_VERSION:
             raise ModelError(f"schema: expected {SCHEMA_VERSION}, got {_spell(version)}; this quintrig reads version 1")
         unit = _text(data.pop("unit", ""), "unit")
         if unit and unit not in UNITS:
@@ -167,7 +167,7 @@ def read_text(path: Path) -> str:
 
 
 def read_net(path: Path) -> list[list[float]]:
-    """Return the rows of numbers of a CSV file, separated by commas or semicolons; a heading and ``#`` lines are skipped."""
+    """Return the rows of numbers of a CSV file, comma or semicolon separated; a heading and ``#`` lines are skipped."""
     text = read_text(path)
     lines = [line for line in text.splitlines() if line.strip() and not line.lstrip().startswith("#")]
     delimiter = ";" if lines and ";" in lines[0] else ","

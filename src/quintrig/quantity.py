@@ -7,14 +7,14 @@ from quintrig.classify import HK_TYPES, INVARIANT_TYPES, POINT_TYPES, SHAPE_CLAS
 from quintrig.errors import nearest
 
 Parity = Literal["even", "odd", "swap", "mirror"]
-"""What turning the normal does: nothing, a change of sign, exchange with the ``partner`` (κ1 ↔ -κ2), or the mirrored class."""
+"""What turning the normal does: nothing, a change of sign, exchange with ``partner`` (κ1 ↔ -κ2), the mirrored class."""
 
 Colour = Literal["diverging", "sequential", "classes", "vector"]
 
 
 @dataclass(frozen=True)
 class Quantity:
-    """One row of the table. ``power`` is the power of length in the unit; ``classes`` the names of the codes 0, 1, ..."""
+    """One row of the table: ``power`` is the power of length in the unit, ``classes`` names the codes 0, 1, 2 and on."""
 
     key: str
     symbol: str

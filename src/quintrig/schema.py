@@ -25,7 +25,7 @@ def json_schema() -> dict[str, Any]:
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "quintrig model",
-        "description": "Quintic trigonometric Bézier surfaces. A net may also be the name of a CSV file beside the model.",
+        "description": "Quintic trigonometric Bézier surfaces; a net may also be the name of a CSV file beside it.",
         "oneOf": [*alone, several],
     }
 

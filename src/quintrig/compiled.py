@@ -1,0 +1,66 @@
+"""The two ways in which quintrig compiles with Numba, as decorators that keep the types they are put on.
+
+Compiled loops are kept on disk. Numba checks only the file that a loop is written in, not the files of the formulas
+inlined into it, so the folder's name carries a digest of all of them: after any change the loops are compiled anew,
+and two versions of quintrig never share one.
+"""
+
+import hashlib
+import os
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, TypeVar, cast
+
+import numba
+
+Function = TypeVar("Function", bound=Callable[..., Any])
+
+SOURCES = ("blocks", "classify", "compiled", "curvature", "invariants", "kernel", "planes", "quantity")
+"""Modules whose text goes into compiled code."""
+
+_config = cast(Any, numba).config
+_njit = cast(Callable[..., Callable[[Any], Any]], numba.njit)
+
+# NaN and infinity must survive, since they mark singular points, and sums keep their order, since differences such as
+# 1 - t carry the relative accuracy at the end points. Fused multiply-add and shared reciprocals are all that is gained.
+_FAST = {"contract", "nsz", "arcp"}
+
+
+def scalar(function: Function) -> Function:
+    """Compile a scalar formula, inlined where it is used, so that the loop around it vectorises."""
+    return cast(Function, _njit(inline="always", error_model="numpy")(function))
+
+
+def loop(function: Function) -> Function:
+    """Compile a loop over arrays that releases the interpreter, kept on disk where there is a folder to keep it in."""
+    folder = cache_folder()
+    before = _config.CACHE_DIR
+    try:
+        # Numba reads this setting as the decorator runs; other packages must not see ours.
+        _config.CACHE_DIR = str(folder or "")
+        options: dict[str, Any] = {"fastmath": _FAST, "error_model": "numpy", "nogil": True}
+        return cast(Function, _njit(cache=folder is not None, **options)(function))
+    finally:
+        _config.CACHE_DIR = before
+
+
+def cache_folder() -> Path | None:
+    """Return the folder for compiled loops, made if need be, or None where none can be written.
+
+    It lies in NUMBA_CACHE_DIR, else in XDG_CACHE_HOME/quintrig, else in ~/.cache/quintrig.
+    """
+    named = os.environ.get("NUMBA_CACHE_DIR") or os.environ.get("XDG_CACHE_HOME")
+    try:
+        folder = (Path(named) if named else Path.home() / ".cache") / "quintrig" / f"compiled-{_digest()}"
+        folder.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=folder):
+            return folder
+    except (OSError, RuntimeError):  # no permission, a full disk, or no home folder
+        return None
+
+
+def _digest() -> str:
+    """Return a digest of everything that compiled code depends on, Numba itself aside, which checks its own version."""
+    here = Path(__file__).parent
+    return hashlib.sha256(b"".join((here / f"{name}.py").read_bytes() for name in SOURCES)).hexdigest()[:16]
