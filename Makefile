@@ -2,7 +2,7 @@
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: report test check bench docs clean
+.PHONY: report test check bench extras clean
 
 report: .venv/installed
 	$(BIN)/quintrig report examples/car_boot.toml out/car_boot
@@ -17,6 +17,10 @@ check: .venv/installed-dev
 
 bench: .venv/installed-dev
 	$(BIN)/python -m bench
+
+# Everything optional: CAD, meshes, studio, clusters. The tests that need one of them skip without it.
+extras: .venv/installed-dev
+	$(BIN)/python -m pip install --quiet --editable ".[dev,all]"
 
 .venv/bin/python:
 	$(PYTHON) -m venv .venv
