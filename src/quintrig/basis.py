@@ -42,25 +42,58 @@ class Trigonometric:
     def derivatives(self, t: ArrayLike, order: int) -> FloatArray:
         """Return derivatives 0 to ``order``, shape (order + 1, *t.shape, 6); ValueError for t outside [0, 1].
 
-        Written as products of powers of a = 1 - sin and b = 1 - cos, each computed without cancellation, because
-        they keep their relative accuracy at the end points, where a Fourier sum does not. The two functions that a
-        shape parameter enters are integrated from their slopes, which vanish at that end when it is -4.
+        Each value is a product of s = sin, c = cos, a = 1 - s and b = 1 - c, none of which cancels, and each derivative
+        a difference of ``slopes``: so all keep their relative accuracy at the end points, where a Fourier sum does not.
         """
         t = parameter(t, "t")
-        sine, cosine = sin_cos(t)
-        s = _rotation(sine, cosine, order)
-        c = _rotation(cosine, -sine, order)
-        a, b = -s, -c
-        a[0] = 2.0 * np.sin(0.25 * np.pi * (1.0 - t)) ** 2
-        b[0] = 2.0 * np.sin(0.25 * np.pi * t) ** 2
+        s, c, a, b = (series[0] for series in _sines(t, 0))
+        values: list[FloatArray] = [
+            a**4 * np.where(t < 0.5, 1.0 - self.alpha * s, 1.0 - self.alpha + self.alpha * a),
+            s * a**3 * np.where(t < 0.5, 4.0 + self.alpha - self.alpha * s, 4.0 + self.alpha * a),
+            a**2 * b * (8.0 * s + 3.0 * c + 9.0),
+            b**2 * a * (8.0 * c + 3.0 * s + 9.0),
+            c * b**3 * np.where(t < 0.5, 4.0 + self.zeta * b, 4.0 + self.zeta - self.zeta * c),
+            b**4 * np.where(t < 0.5, 1.0 - self.zeta + self.zeta * b, 1.0 - self.zeta * c),
+        ]
+        result: FloatArray = np.empty((order + 1, *t.shape, 6))
+        result[0] = np.stack(values, axis=-1)
+        if order:
+            slopes = self.slopes(t, order - 1)
+            result[1:, ..., 0] = -slopes[..., 0]
+            result[1:, ..., 1:5] = slopes[..., :4] - slopes[..., 1:]
+            result[1:, ..., 5] = slopes[..., 4]
+        return result
+
+    def slopes(self, t: ArrayLike, order: int, start: bool = False, end: bool = False) -> FloatArray:
+        """Return the functions of the hodograph z'(t) = Σ G_i(t) (P_{i+1} - P_i) and their derivatives.
+
+        The shape is (order + 1, *t.shape, 5). G_i = -(f0' + ... + fi') >= 0 for α, ζ in [-4, 1]:
+
+            G0 = (π/2) c a³ (4 + α - 5α s)      G4 = (π/2) s b³ (4 + ζ - 5ζ c)
+            G1 = (π/2) 12 a² s c                G3 = (π/2) 12 b² s c
+            G2 = (π/2) a b s c (32 + 4 / (1 + s + c))
+
+        With ``start`` (``end``) all are divided by s (c), and 4 + α (4 + ζ) is left out: what remains where the curve
+        stands still at that end, because α (ζ) is -4 or two control points coincide there. Raises ValueError for t
+        outside [0, 1].
+        """
+        t = parameter(t, "t")
+        s, c, a, b = _sines(t, order)
         near_start = t < 0.5
-        f0, f1 = _end_pair(s, a, self.alpha, near_start)
-        f5, f4 = _end_pair(c, b, self.zeta, ~near_start)
-        a2, b2 = taylor.product(a, a), taylor.product(b, b)
-        nine = taylor.constant(9.0, s)
-        f2 = taylor.product(taylor.product(a2, b), 8.0 * s + 3.0 * c + nine)
-        f3 = taylor.product(taylor.product(b2, a), 8.0 * c + 3.0 * s + nine)
-        return taylor.derivatives(np.stack([f0, f1, f2, f3, f4, f5], axis=-1))
+        one = taylor.constant(1.0, s)
+        rising, falling = one if start else s, one if end else c
+        first = -5.0 * self.alpha * one if start else _outer_factor(self.alpha, s, a, near_start)
+        last = -5.0 * self.zeta * one if end else _outer_factor(self.zeta, c, b, ~near_start)
+        both, a2, b2 = taylor.product(rising, falling), taylor.product(a, a), taylor.product(b, b)
+        middle = 32.0 * one + 4.0 * taylor.quotient(one, one + s + c)
+        functions: list[FloatArray] = [
+            taylor.product(falling, taylor.product(taylor.product(a2, a), first)),
+            12.0 * taylor.product(a2, both),
+            taylor.product(taylor.product(a, b), taylor.product(both, middle)),
+            12.0 * taylor.product(b2, both),
+            taylor.product(rising, taylor.product(taylor.product(b2, b), last)),
+        ]
+        return 0.5 * np.pi * taylor.derivatives(np.stack(functions, axis=-1))
 
 
 @dataclass(frozen=True)
@@ -145,29 +178,21 @@ def bernstein_series(x: FloatArray, rest: FloatArray, degree: int) -> FloatArray
     return np.stack(terms, axis=-1)
 
 
-def _end_pair(s: FloatArray, a: FloatArray, alpha: float, near: BoolArray) -> tuple[FloatArray, FloatArray]:
-    """Return the series of f0 = a⁴ (1 - α s) and f1 = s a³ (4 + α - α s) from those of s and a = 1 - s.
+def _sines(t: FloatArray, order: int) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+    """Return the series of sine and cosine of πt/2, 1 - sine and 1 - cosine, each without cancellation."""
+    sine, cosine = sin_cos(t)
+    s, c = _rotation(sine, cosine, order), _rotation(cosine, -sine, order)
+    a, b = -s, -c
+    a[0] = 2.0 * np.sin(0.25 * np.pi * (1.0 - t)) ** 2
+    b[0] = 2.0 * np.sin(0.25 * np.pi * t) ** 2
+    return s, c, a, b
 
-    ``near`` is true near the end where s = 0. The slopes by s are -a³ (4 + α - 5α s) and
-    a² ((a - 3s)(4 + α - α s) - α s a): near that end their terms do not cancel, whatever α, so that they keep their
-    relative accuracy.
-    """
-    _, _, a2, a3, a4 = taylor.powers(a, 4)
 
-    def linear(at_start: float, at_end: float) -> FloatArray:
-        """Return the series of a linear function of s from its values at s = 0 and s = 1."""
-        slope = at_end - at_start
-        series = slope * s
-        series[0] = np.where(near, at_start + slope * s[0], at_end - slope * a[0])
-        return series
-
-    q = linear(4.0 + alpha, 4.0)
-    speed = taylor.product(taylor.slope(s), a2)
-    f0_slope = -taylor.product(speed, taylor.product(a, linear(4.0 + alpha, 4.0 - 4.0 * alpha)))
-    f1_slope = taylor.product(speed, taylor.product(a - 3.0 * s, q) - alpha * taylor.product(s, a))
-    f0 = taylor.product(a4, linear(1.0, 1.0 - alpha))
-    f1 = taylor.product(taylor.product(s, a3), q)
-    return taylor.integral(f0_slope, f0[0]), taylor.integral(f1_slope, f1[0])
+def _outer_factor(alpha: float, s: FloatArray, a: FloatArray, near: BoolArray) -> FloatArray:
+    """Return the series of 4 + α - 5α s; from a = 1 - s where not ``near`` the end where s = 0."""
+    series = -5.0 * alpha * s
+    series[0] = np.where(near, 4.0 + alpha - 5.0 * alpha * s[0], 4.0 - 4.0 * alpha + 5.0 * alpha * a[0])
+    return series
 
 
 def _rotation(value: FloatArray, slope: FloatArray, order: int) -> FloatArray:

@@ -46,23 +46,6 @@ def constant(value: float, like: FloatArray) -> FloatArray:
     return result
 
 
-def slope(series: FloatArray) -> FloatArray:
-    """Return the series of the first derivative; its last entry, which is not known, is 0."""
-    result: FloatArray = np.zeros_like(series)
-    for k in range(1, len(series)):
-        result[k - 1] = k * series[k]
-    return result
-
-
-def integral(series: FloatArray, value: FloatArray) -> FloatArray:
-    """Return the series with the first derivative ``series``, whose last entry is not used, and this value."""
-    result: FloatArray = np.zeros_like(series)
-    result[0] = value
-    for k in range(1, len(series)):
-        result[k] = series[k - 1] / k
-    return result
-
-
 def derivatives(series: FloatArray) -> FloatArray:
     """Turn Taylor coefficients into derivatives: entry k is multiplied by k!."""
     return series * _factorials(series)
