@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 
 from quintrig.arrays import FloatArray, frozen
 from quintrig.basis import Bernstein, TangentBernstein, shape_parameter
-from quintrig.rational import WEIGHTS, degree_ten, wedge_points, without_factor
+from quintrig.rational import homogeneous, wedge_points, without_factor
 from quintrig.surface import Net, Projected, Surface
 
 
@@ -22,12 +22,14 @@ def developable(
 ) -> Surface:
     """Return the strip enveloped by Π(t) = Σ f_i(t; α, ζ) L_i between two bounding planes (thesis §3.3.2).
 
-    ``planes`` (6, 4) and ``bounds`` (2, 4) hold (a, b, c, d) of a x + b y + c z + d = 0; ``shape`` is (α, ζ). The ruling at
-    u is Π ∩ Π'; v = 0 lies on the first bounding plane, v = 1 on the second. K = 0. The edge of regression may fall inside:
-    ask ``regression``. Raises ValueError for wrong counts or values, and where the planes envelop no strip at all.
+    ``planes`` (6, 4) and ``bounds`` (2, 4) hold (a, b, c, d) of a x + b y + c z + d = 0; ``shape`` is (α, ζ). The
+    ruling at u is Π ∩ Π'; v = 0 lies on the first bounding plane, v = 1 on the second. K = 0. The edge of regression
+    may fall inside: ask ``regression``. Raises ValueError for wrong counts or values, and where the planes envelop no
+    strip at all.
 
-    The boundaries are exact: Π is a polynomial of degree 10 in w = tan(πt/4), so the ruling is one of degree 18 and meets a
-    plane in a rational curve of degree 18. With α or ζ = -4 the ruling has a factor w or 1 - w, which is divided out.
+    The boundaries are exact: Π is a polynomial of degree 10 in w = tan(πt/4), so the ruling is one of degree 18 and
+    meets a plane in a rational curve of degree 18, or 14 for α = ζ = 0. With α or ζ = -4, or two equal planes at an
+    end, the ruling has a factor w or 1 - w, which is divided out.
     """
     family = frozen(planes, "planes", (6, 4))
     cuts = frozen(bounds, "bounds", (2, 4))
@@ -38,13 +40,13 @@ def developable(
         flat = np.flatnonzero(~(np.abs(vectors[:, :3]).max(axis=1) > 0.0))
         if len(flat):
             raise ValueError(f"{name}[{flat[0]}]: expected a plane [a, b, c, d], found one with a = b = c = 0")
-    rulings = wedge_points(degree_ten(family, alpha, zeta) * WEIGHTS[:, None])
-    rulings = without_factor(rulings, alpha == -4.0, zeta == -4.0)
+    rulings = wedge_points(homogeneous(family, alpha, zeta))
+    rulings = without_factor(rulings, _stationary(rulings[0]), _stationary(rulings[-1]))
     points = np.stack([_meet(rulings, cut) for cut in cuts], axis=1)
     if not np.abs(points[..., 3]).max() > 1e-12 * np.abs(points).max():
         raise ValueError(
-            "planes: the control planes envelop no strip that the bounding planes cut (they are equal, parallel, or all "
-            "contain one line that a bounding plane contains too); change the planes or the bounds"
+            "planes: the control planes envelop no strip that the bounding planes cut (they are equal, parallel, or "
+            "all contain one line that a bounding plane contains too); change the planes or the bounds"
         )
     rows = Projected(Net(points, TangentBernstein(len(points) - 1)))
     return Surface(rows, Bernstein(1), flip)
@@ -78,8 +80,8 @@ def regression(surface: Surface, samples: int = 513) -> Regression:
     intervals: list[tuple[float, float]] = []
     edges = np.flatnonzero(np.diff(np.concatenate([[False], inside, [False]]).astype(np.int8)))
     for start, end in zip(edges[::2], edges[1::2], strict=True):
-        low = u[0] if start == 0 else _crossing(surface, u[start - 1], u[start])
-        high = u[-1] if end == len(u) else _crossing(surface, u[end], u[end - 1])
+        low = u[0] if start == 0 else _crossing(surface, float(u[start - 1]), float(u[start]))
+        high = u[-1] if end == len(u) else _crossing(surface, float(u[end]), float(u[end - 1]))
         intervals.append((float(low), float(high)))
     with np.errstate(divide="ignore", invalid="ignore"):
         v = first / (first - second)
@@ -107,11 +109,16 @@ def _crossing(surface: Surface, outside: float, inside: float) -> float:
     return inside
 
 
+def _stationary(ruling: FloatArray) -> bool:
+    """Return whether U ⊗ V (4, 4) is one plane twice, to rounding: there the family of planes stands still."""
+    return bool(np.abs(ruling - ruling.T).max() <= 4.0 * np.finfo(np.float64).eps * np.abs(ruling).max())
+
+
 def _meet(rulings: FloatArray, plane: FloatArray) -> FloatArray:
     """Return the homogeneous points (n, 4) where the rulings meet a plane.
 
-    ``rulings`` are tensor products U ⊗ V of two planes, (n, 4, 4); the point common to three planes is their alternating
-    product. It is linear in U ⊗ V, so it acts on each Bernstein coefficient.
+    ``rulings`` are tensor products U ⊗ V of two planes, (n, 4, 4); the point common to three planes is their
+    alternating product. It is linear in U ⊗ V, so it acts on each Bernstein coefficient.
     """
     p = rulings - rulings.transpose(0, 2, 1)  # Plücker coordinates u_i v_j - u_j v_i
     a, b, c, d = plane
