@@ -101,8 +101,8 @@ def wrote(path: Path) -> None:
 
 
 def deliver(text: str, file: Path | None) -> None:
-    """Write data to a file, whole or not at all, and say so; without a file, to stdout."""
-    if file is None:
+    """Write data to a file, whole or not at all, and say so; without a file or to ``-``, to stdout."""
+    if file is None or str(file) == "-":
         emit(text)
         return
     from quintrig.files import write_whole
