@@ -14,31 +14,35 @@ import numpy as np
 from quintrig.compiled import scalar
 
 
-@scalar
-def first_form(ux: float, uy: float, uz: float, vx: float, vy: float, vz: float) -> tuple[float, float, float]:
-    """Return E, F, G = S_u·S_u, S_u·S_v, S_v·S_v, length²."""
-    return ux * ux + uy * uy + uz * uz, ux * vx + uy * vy + uz * vz, vx * vx + vy * vy + vz * vz
+Three = tuple[float, float, float]
+Frame = tuple[Three, float, Three, Three]
+"""n, 1/W, (E, F, G), (L, M, N) of a point."""
 
 
 @scalar
-def unit_normal(
-    ux: float, uy: float, uz: float, vx: float, vy: float, vz: float, sign: float, tiny: float
-) -> tuple[float, float, float, float]:
-    """Return n = sign S_u x S_v / W and 1/W; all NaN where W <= ``tiny`` (length²), the singular points."""
-    x = uy * vz - uz * vy
-    y = uz * vx - ux * vz
-    z = ux * vy - uy * vx
+def dot(a: Three, b: Three) -> float:
+    """Return a · b."""
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+@scalar
+def frame(du: Three, dv: Three, duu: Three, duv: Three, dvv: Three, sign: float, tiny: float) -> Frame:
+    """Return the normal, 1/W and both fundamental forms; all NaN where W = |S_u x S_v| <= ``tiny`` (length²)."""
+    x = du[1] * dv[2] - du[2] * dv[1]
+    y = du[2] * dv[0] - du[0] * dv[2]
+    z = du[0] * dv[1] - du[1] * dv[0]
     area = np.sqrt(x * x + y * y + z * z)
     inverse = 1.0 / area if area > tiny else np.nan
     scale = sign * inverse
-    return x * scale, y * scale, z * scale, inverse
+    n = (x * scale, y * scale, z * scale)
+    first = (dot(du, du), dot(du, dv), dot(dv, dv))
+    return n, inverse, first, (dot(duu, n), dot(duv, n), dot(dvv, n))
 
 
 @scalar
-def second_form_in_frame(
-    e: float, f: float, inverse: float, el: float, em: float, en: float
-) -> tuple[float, float, float]:
-    """Return a, b, c from E, F, 1/W and L, M, N; length⁻¹."""
+def form_in_frame(at: Frame) -> Three:
+    """Return a, b, c, length⁻¹."""
+    _, inverse, (e, f, _), (el, em, en) = at
     over = 1.0 / e
     ratio = f * over
     a = el * over

@@ -13,7 +13,7 @@ from typing import Protocol
 
 import numpy as np
 
-from quintrig import curvature
+from quintrig import contraction, curvature
 from quintrig.arrays import FloatArray
 from quintrig.blocks import BLOCK
 from quintrig.compiled import loop, scalar
@@ -62,8 +62,7 @@ def driver(size: int, functions: int, full: bool, simple: bool) -> Driver:
     BLOCK) are row derivatives already. ``blend`` is (blocks, 3 size BLOCK), ``count`` the number of points in an
     output row. ``full`` also forms point, frame and fundamental forms, ``simple`` writes K and H only.
     """
-    # Along a row of a grid u is fixed, so all points of a block share one set of row derivatives.
-    stride, step = (1, 0) if functions == 0 else (BLOCK, 1)
+    partials = contraction.partials(size, BLOCK, functions != 0)
     terms = 3 * size
 
     @scalar
@@ -109,46 +108,14 @@ def driver(size: int, functions: int, full: bool, simple: bool) -> Driver:
                     contract(r, net, contracted)
                     r = contracted
                 for k in range(BLOCK):
-                    px = py = pz = ux = uy = uz = vx = vy = vz = 0.0
-                    uux = uuy = uuz = uvx = uvy = uvz = vvx = vvy = vvz = 0.0
-                    for m in range(size):
-                        d0, d1, d2 = d[m * BLOCK + k], d[(size + m) * BLOCK + k], d[(2 * size + m) * BLOCK + k]
-                        q, t = 3 * m * stride, step * k
-                        x, y, z = r[q + t], r[q + stride + t], r[q + 2 * stride + t]
-                        q = (terms + 3 * m) * stride
-                        xu, yu, zu = r[q + t], r[q + stride + t], r[q + 2 * stride + t]
-                        q = (2 * terms + 3 * m) * stride
-                        xuu, yuu, zuu = r[q + t], r[q + stride + t], r[q + 2 * stride + t]
-                        if full:
-                            px += x * d0
-                            py += y * d0
-                            pz += z * d0
-                        ux += xu * d0
-                        uy += yu * d0
-                        uz += zu * d0
-                        vx += x * d1
-                        vy += y * d1
-                        vz += z * d1
-                        uux += xuu * d0
-                        uuy += yuu * d0
-                        uuz += zuu * d0
-                        uvx += xu * d1
-                        uvy += yu * d1
-                        uvz += zu * d1
-                        vvx += x * d2
-                        vvy += y * d2
-                        vvz += z * d2
-                    e, f, g = curvature.first_form(ux, uy, uz, vx, vy, vz)
-                    nx, ny, nz, inverse = curvature.unit_normal(ux, uy, uz, vx, vy, vz, sign, tiny)
-                    el = uux * nx + uuy * ny + uuz * nz
-                    em = uvx * nx + uvy * ny + uvz * nz
-                    en = vvx * nx + vvy * ny + vvz * nz
-                    a, b, c = curvature.second_form_in_frame(e, f, inverse, el, em, en)
+                    point, du, dv, duu, duv, dvv = partials(r, d, k)
+                    frame = curvature.frame(du, dv, duu, duv, dvv, sign, tiny)
+                    a, b, c = curvature.form_in_frame(frame)
                     s[k] = a
                     s[BLOCK + k] = b
                     s[2 * BLOCK + k] = c
                     if full:
-                        store_frame(s, k, (px, py, pz), (ux, uy, uz), (nx, ny, nz), (e, f, g), (el, em, en), sign)
+                        store_frame(s, k, point, du, frame, sign)
                 j = block * BLOCK
                 n = min(BLOCK, count - j)
                 if simple:

@@ -9,7 +9,8 @@ import numpy as np
 
 from quintrig import classify, curvature, invariants
 from quintrig.arrays import FloatArray, IntArray
-from quintrig.blocks import BLOCK, Three
+from quintrig.blocks import BLOCK
+from quintrig.curvature import Three
 from quintrig.compiled import loop, scalar
 from quintrig.quantity import QUANTITIES
 
@@ -206,39 +207,26 @@ def _six_invariants(
 
 
 @scalar
-def store_frame(
-    s: FloatArray,
-    k: int,
-    point: Three,
-    tangent: Three,
-    normal: Three,
-    first: Three,
-    second: Three,
-    sign: float,
-) -> None:
+def store_frame(s: FloatArray, k: int, point: Three, tangent: Three, at: curvature.Frame, sign: float) -> None:
     """Store point, normal, frame and fundamental forms of point k in scratch; ``tangent`` is S_u."""
-    px, py, pz = point
-    ux, uy, uz = tangent
+    normal, _, first, second = at
     nx, ny, nz = normal
-    e, f, g = first
-    el, em, en = second
-    scale = 1.0 / np.sqrt(e)
-    x, y, z = ux * scale, uy * scale, uz * scale
-    s[_ROW_NORMAL * BLOCK + k] = nx
-    s[(_ROW_NORMAL + 1) * BLOCK + k] = ny
-    s[(_ROW_NORMAL + 2) * BLOCK + k] = nz
+    scale = 1.0 / np.sqrt(first[0])
+    x, y, z = tangent[0] * scale, tangent[1] * scale, tangent[2] * scale
     s[_ROW_E1 * BLOCK + k] = x
     s[(_ROW_E1 + 1) * BLOCK + k] = y
     s[(_ROW_E1 + 2) * BLOCK + k] = z
     s[_ROW_E2 * BLOCK + k] = sign * (ny * z - nz * y)
     s[(_ROW_E2 + 1) * BLOCK + k] = sign * (nz * x - nx * z)
     s[(_ROW_E2 + 2) * BLOCK + k] = sign * (nx * y - ny * x)
-    s[_ROW_POINT * BLOCK + k] = px
-    s[(_ROW_POINT + 1) * BLOCK + k] = py
-    s[(_ROW_POINT + 2) * BLOCK + k] = pz
-    s[_ROW_FORMS * BLOCK + k] = e
-    s[(_ROW_FORMS + 1) * BLOCK + k] = f
-    s[(_ROW_FORMS + 2) * BLOCK + k] = g
-    s[(_ROW_FORMS + 3) * BLOCK + k] = el
-    s[(_ROW_FORMS + 4) * BLOCK + k] = em
-    s[(_ROW_FORMS + 5) * BLOCK + k] = en
+    _store(s, _ROW_NORMAL, k, normal)
+    _store(s, _ROW_POINT, k, point)
+    _store(s, _ROW_FORMS, k, first)
+    _store(s, _ROW_FORMS + 3, k, second)
+
+
+@scalar
+def _store(s: FloatArray, row: int, k: int, values: Three) -> None:
+    s[row * BLOCK + k] = values[0]
+    s[(row + 1) * BLOCK + k] = values[1]
+    s[(row + 2) * BLOCK + k] = values[2]
