@@ -5,6 +5,7 @@ import json
 import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Any, cast
 
@@ -12,6 +13,7 @@ from pydantic import ValidationError
 
 from quintrig.definition import KINDS, Bezier, Definition
 from quintrig.errors import ModelError, nearest
+from quintrig.explain import HEADER, explain, spell
 from quintrig.surface import Surface
 
 SCHEMA_VERSION = 1
@@ -20,8 +22,6 @@ UNITS = ("um", "mm", "cm", "m", "km", "in", "ft")
 
 LARGEST_FILE = 16 * 2**20
 """Bytes; the largest real model is a few kilobytes."""
-
-_HEADER = ("schema", "name", "unit", "patch")
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,11 +89,11 @@ class Model:
         Raises ModelError naming the place, what was expected and what was found.
         """
         if not isinstance(data, Mapping):  # pyright: ignore[reportUnnecessaryIsInstance]
-            raise ModelError(f"model: expected keys and values, got {_spell(data)}")
+            raise ModelError(f"model: expected keys and values, got {spell(data)}")
         data = cast(dict[str, Any], _plain(dict(data)))
         version = data.pop("schema", SCHEMA_VERSION)
         if isinstance(version, bool) or version != SCHEMA_VERSION:
-            raise ModelError(f"schema: expected {SCHEMA_VERSION}, got {_spell(version)}; this quintrig reads version 1")
+            raise ModelError(f"schema: expected {SCHEMA_VERSION}, got {spell(version)}; this quintrig reads version 1")
         unit = _text(data.pop("unit", ""), "unit")
         if unit and unit not in UNITS:
             raise ModelError(f"unit: expected one of {', '.join(UNITS)}, got {unit!r}; leave it out for plain numbers")
@@ -125,20 +125,40 @@ def load(path: str | Path) -> Model:
     Raises ModelError in one line for anything that is not a readable, valid model.
     """
     path = Path(path)
-    parsers = {".toml": tomllib.loads, ".json": json.loads}
+    parsers = {".toml": tomllib.loads, ".json": partial(json.loads, object_pairs_hook=_once)}
     if path.suffix.lower() not in parsers:
         raise ModelError(f"{path}: expected a file ending in .toml or .json")
     text = read_text(path)
+    if not text.strip():
+        raise ModelError(f"{path}: the file is empty; expected a model, such as 'quintrig new swept' writes")
     try:
         data = parsers[path.suffix.lower()](text)
     except RecursionError:
         raise ModelError(f"{path}: nested too deeply to be a model") from None
     except ValueError as error:
-        raise ModelError(f"{path}: not valid {path.suffix[1:].upper()}: {_first_line(error)}") from None
+        raise ModelError(f"{path}: not valid {path.suffix[1:].upper()}: {_syntax(error)}") from None
     try:
         return Model.from_dict(data, path.parent)
     except ModelError as error:
         raise ModelError(f"{path}: {error}") from None
+
+
+def _syntax(error: ValueError) -> str:
+    """Say in the user's terms what a parser found."""
+    text = _first_line(error)
+    if "integer string conversion" in text:
+        return "a number has thousands of digits"
+    return text.replace("Cannot overwrite a value", "a key is given twice")
+
+
+def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    """Refuse a key given twice, of which JSON would keep the last in silence."""
+    keys: dict[str, Any] = {}
+    for key, value in pairs:
+        if key in keys:
+            raise ValueError(f"the key {spell(key)} is given twice")
+        keys[key] = value
+    return keys
 
 
 def read_text(path: Path) -> str:
@@ -154,6 +174,8 @@ def read_text(path: Path) -> str:
         with path.open("rb") as file:
             # A pipe or device has no size of its own.
             raw = file.read(LARGEST_FILE + 1)
+    except ModelError:
+        raise
     except FileNotFoundError:
         raise ModelError(f"{path}: no such file; check the path") from None
     except (OSError, ValueError) as error:
@@ -185,15 +207,15 @@ def read_net(path: Path) -> list[list[float]]:
 def _several(data: dict[str, Any], folder: Path | None) -> tuple[Patch, ...]:
     tables = data.pop("patch")
     if not isinstance(tables, list) or not tables:
-        raise ModelError(f"patch: expected one or more [[patch]] tables, got {_spell(tables)}")
+        raise ModelError(f"patch: expected one or more [[patch]] tables, got {spell(tables)}")
     if data:
         key = next(iter(data))
-        raise ModelError(f"unknown key {key!r} beside [[patch]] tables{nearest(key, _HEADER)}; move it into a patch")
+        raise ModelError(f"unknown key {key!r} beside [[patch]] tables{nearest(key, HEADER)}; move it into a patch")
     patches: list[Patch] = []
     for index, table in enumerate(cast(list[Any], tables)):
         place = f"patch {index + 1}"
         if not isinstance(table, dict):
-            raise ModelError(f"{place}: expected a table of keys, got {_spell(table)}")
+            raise ModelError(f"{place}: expected a table of keys, got {spell(table)}")
         keys = cast(dict[str, Any], table)
         name = _text(keys.get("name", place), f"{place}: name")
         if name in [patch.name for patch in patches]:
@@ -206,7 +228,7 @@ def _patch(keys: dict[str, Any], name: str, folder: Path | None) -> Patch:
     place = f'patch "{name}"'
     kind = keys.get("kind")
     if not isinstance(kind, str) or kind not in KINDS:
-        found = "no kind" if kind is None else _spell(kind)
+        found = "no kind" if kind is None else spell(kind)
         hint = nearest(kind, KINDS) if isinstance(kind, str) else ""
         raise ModelError(f"{place}: kind: expected one of {', '.join(KINDS)}, got {found}{hint}")
     form = KINDS[kind]
@@ -218,7 +240,7 @@ def _patch(keys: dict[str, Any], name: str, folder: Path | None) -> Patch:
                 _check_counts(getattr(definition, key), counts, key)
         return Patch(name, definition, definition.surface())
     except ValidationError as error:
-        raise ModelError(f"{place}: {_explain(error, form)}") from None
+        raise ModelError(f"{place}: {explain(error, form, keys)}") from None
     except ValueError as error:
         raise ModelError(f"{place}: {error}") from None
 
@@ -243,56 +265,25 @@ def _with_nets(keys: dict[str, Any], form: type[Definition], folder: Path | None
 
 def _check_counts(value: Sequence[Any], counts: tuple[int, ...], place: str) -> None:
     if len(value) != counts[0]:
-        raise ValueError(f"{place}: expected {counts[0]} {'rows' if len(counts) == 2 else 'points'}, got {len(value)}")
+        noun = "rows" if len(counts) == 2 else "planes" if place in ("planes", "bounds") else "points"
+        raise ValueError(f"{place}: expected {counts[0]} {noun}, got {len(value)}")
     for index, row in enumerate(value if len(counts) == 2 else ()):
         _check_counts(row, counts[1:], f"{place}[{index}]")
 
 
-def _explain(error: ValidationError, form: type[Definition]) -> str:
-    """Tell the first mistake in one line: where, what was expected, what was found."""
-    details = error.errors(include_url=False)
-    first = details[0]
-    place = "".join(
-        f"[{part}]" if isinstance(part, int) else f"{'.' if i else ''}{part}" for i, part in enumerate(first["loc"])
-    )
-    kind, found, context = first["type"], first["input"], first.get("ctx", {})
-    more = f" (and {len(details) - 1} more)" if len(details) > 1 else ""
-    if kind == "extra_forbidden":
-        known = [*form.model_fields, "schema", "unit"]
-        message = f"unknown key {place!r}{nearest(place, known)}"
-    elif kind == "missing":
-        message = f"missing key {place!r}: expected {form.model_fields[place].description}"
-    elif kind in ("too_short", "too_long"):
-        count = context.get("min_length" if kind == "too_short" else "max_length")
-        rows = isinstance(found, list) and len(cast(list[Any], found)) > 0 and isinstance(found[0], list)
-        message = f"{place}: expected {count} {'rows' if rows else 'numbers'}, got {context.get('actual_length')}"
-    elif kind == "finite_number":
-        message = f"{place}: expected a finite number, got {found}"
-    elif kind in ("float_type", "float_parsing"):
-        message = f"{place}: expected a number, got {_spell(found)}"
-    elif kind == "list_type":
-        message = f"{place}: expected a list, got {_spell(found)}"
-    else:
-        message = f"{place}: {first['msg'][0].lower()}{first['msg'][1:]}, got {_spell(found)}"
-    return message + more
-
-
-def _plain(value: Any) -> Any:
+def _plain(value: Any, depth: int = 0) -> Any:
     """Turn NumPy arrays and numbers inside ``value`` into lists and numbers."""
-    if isinstance(value, dict):
-        return {str(key): _plain(item) for key, item in cast(dict[Any, Any], value).items()}
-    return value.tolist() if hasattr(value, "tolist") else value
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    if isinstance(value, dict) and depth < 2:  # a model has no deeper tables than those of its patches
+        return {str(key): _plain(item, depth + 1) for key, item in cast(dict[Any, Any], value).items()}
+    return cast(Any, value)
 
 
 def _text(value: Any, place: str) -> str:
-    if not isinstance(value, str) or len(value) > 200:
-        raise ModelError(f"{place}: expected a short text, got {_spell(value)}")
+    if not isinstance(value, str) or len(value) > 200 or not value.isprintable():
+        raise ModelError(f"{place}: expected a text of at most 200 letters on one line, got {spell(value)}")
     return value
-
-
-def _spell(value: Any) -> str:
-    text = repr(value)
-    return text if len(text) <= 60 else text[:57] + "..."
 
 
 def _first_line(error: Exception) -> str:
