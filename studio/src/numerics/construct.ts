@@ -1,0 +1,68 @@
+/** The constructions from control points: each is a net computed in a line or two. `shape` is (α1, ζ1, α2, ζ2). */
+
+import { Bernstein, family, type BasisName } from "./basis";
+import { Joined } from "./functions";
+import { Net, type Points, type Surface } from "./surface";
+
+export type Vector = readonly number[];
+export type Shape = readonly number[];
+
+export interface Options {
+  readonly basis: BasisName;
+  readonly flip: boolean;
+}
+
+/** Pack rows of points into one array. */
+export function packed(rows: readonly (readonly Vector[])[]): Points {
+  const n = rows.length, m = rows[0]!.length, dimension = rows[0]![0]!.length;
+  const values = new Float64Array(n * m * dimension);
+  rows.forEach((row, i) => row.forEach((point, j) => values.set(point, (i * m + j) * dimension)));
+  return { values, n, m, dimension };
+}
+
+/** S = ΣΣ P_ij f_i(u; α1, ζ1) f_j(v; α2, ζ2) (thesis eq. 3.1). */
+export function tensor(points: readonly (readonly Vector[])[], shape: Shape, options: Options): Surface {
+  const net = packed(points);
+  const u = family(options.basis, net.n, shape[0]!, shape[1]!);
+  const v = family(options.basis, net.m, shape[2]!, shape[3]!);
+  return { rows: new Net(net, u), blend: v, flip: options.flip, net };
+}
+
+/** The tensor-product surface on three rows and their images in the plane `mirror` (thesis §4.3.1). */
+export function symmetric(half: readonly (readonly Vector[])[], mirror: Vector, shape: Shape, options: Options): Surface {
+  const image = half.map((row) => row.map((point) => reflected(point, mirror))).reverse();
+  return tensor([...half, ...image], shape, options);
+}
+
+/** The translational sweep S = C(u) + T(v) (thesis §3.2.2). */
+export function swept(section: readonly Vector[], trajectory: readonly Vector[], shape: Shape, options: Options): Surface {
+  const points = section.map((c) => trajectory.map((t) => c.map((x, i) => x + t[i]!)));
+  return tensor(points, shape, options);
+}
+
+/** S = (λ r x, λ r y, z) from a profile (r, z)(u) and a trajectory (x, y)(v) (thesis §3.2.3). */
+export function swung(
+  profile: readonly Vector[], trajectory: readonly Vector[], shape: Shape, scale: number, options: Options,
+): Surface {
+  const points = profile.map(([r, z]) => trajectory.map(([x, y]) => [scale * r! * x!, scale * r! * y!, z!]));
+  return tensor(points, shape, options);
+}
+
+/** S = (1 - v) A(u) + v B(u), A with (α1, ζ1) and B with (α2, ζ2) (thesis §3.2.4). */
+export function ruled(first: readonly Vector[], second: readonly Vector[], shape: Shape, options: Options): Surface {
+  const zero = [0, 0, 0];
+  const points = packed([...first.map((p) => [p, zero]), ...second.map((p) => [zero, p])]);
+  const functions = new Joined([
+    family(options.basis, first.length, shape[0]!, shape[1]!),
+    family(options.basis, second.length, shape[2]!, shape[3]!),
+  ]);
+  const net = first.length === second.length ? packed(first.map((p, i) => [p, second[i]!])) : null;
+  return { rows: new Net(points, functions), blend: new Bernstein(1), flip: options.flip, net };
+}
+
+/** The mirror image of a point in the plane (a, b, c, d). */
+export function reflected(point: Vector, plane: Vector): number[] {
+  const [a, b, c, d] = plane as [number, number, number, number];
+  const height = (point[0]! * a + point[1]! * b + point[2]! * c + d) / (a * a + b * b + c * c);
+  return [point[0]! - 2 * height * a, point[1]! - 2 * height * b, point[2]! - 2 * height * c];
+}

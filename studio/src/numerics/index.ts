@@ -1,0 +1,5 @@
+/** The numerics by themselves: what the agreement test runs in Node and in the browser. */
+
+export { analyse } from "./sample";
+export { build, fromDict, toDict, type Model, type Patch } from "./model";
+export { QUANTITIES, QUANTITY } from "./quantity";

@@ -1,0 +1,112 @@
+/** The one surface type: rows Q_j(u), curves in u, blended by scalar functions D_j(v). */
+
+import type { Functions } from "./functions";
+
+/** The curves Q_j(u) of a surface: 3 coordinates, or 4 homogeneous ones. */
+export interface Rows {
+  readonly size: number;
+  readonly dimension: number;
+  /** Write derivatives 0 to 2 by u to out[((k n + p) size + j) dimension + x]. */
+  derivatives(u: Float64Array, n: number, out: Float64Array): void;
+}
+
+/** Points (n, m, dimension) in one array, row by row. */
+export interface Points {
+  readonly values: Float64Array;
+  readonly n: number;
+  readonly m: number;
+  readonly dimension: number;
+}
+
+/** Rows that share their functions: Q_j(u) = Σ_i f_i(u) P_ij. */
+export class Net implements Rows {
+  readonly size: number;
+  readonly dimension: number;
+  private scratch = new Float64Array(0);
+  constructor(readonly points: Points, readonly functions: Functions) {
+    this.size = points.m;
+    this.dimension = points.dimension;
+  }
+
+  derivatives(u: Float64Array, n: number, out: Float64Array): void {
+    const size = this.functions.size, width = this.size * this.dimension, p = this.points.values;
+    if (this.scratch.length < 3 * n * size) this.scratch = new Float64Array(3 * n * size);
+    const f = this.scratch;
+    this.functions.derivatives(u, n, f);
+    for (let q = 0; q < 3 * n; q++) {
+      for (let x = 0; x < width; x++) {
+        let sum = 0;
+        for (let i = 0; i < size; i++) sum += f[q * size + i]! * p[i * width + x]!;
+        out[q * width + x] = sum;
+      }
+    }
+  }
+}
+
+/** Rows given in homogeneous coordinates (x, y, z, w), each divided by its own w by the quotient rule. */
+export class Projected implements Rows {
+  readonly size: number;
+  readonly dimension = 3;
+  private scratch = new Float64Array(0);
+  constructor(readonly homogeneous: Net) {
+    this.size = homogeneous.size;
+  }
+
+  derivatives(u: Float64Array, n: number, out: Float64Array): void {
+    const m = this.size, step = 4 * n * m;
+    if (this.scratch.length < 3 * step) this.scratch = new Float64Array(3 * step);
+    const h = this.scratch;
+    this.homogeneous.derivatives(u, n, h);
+    for (let q = 0; q < n * m; q++) {
+      const y0 = h[4 * q + 3]!, y1 = h[step + 4 * q + 3]!, y2 = h[2 * step + 4 * q + 3]! / 2;
+      for (let x = 0; x < 3; x++) {
+        const r0 = h[4 * q + x]! / y0;
+        const r1 = (h[step + 4 * q + x]! - r0 * y1) / y0;
+        const r2 = (h[2 * step + 4 * q + x]! / 2 - (r0 * y2 + r1 * y1)) / y0;
+        out[3 * q + x] = r0;
+        out[3 * (n * m + q) + x] = r1;
+        out[3 * (2 * n * m + q) + x] = 2 * r2;
+      }
+    }
+  }
+}
+
+/**
+ * S(u, v) = Σ_j Q_j(u) D_j(v) over [0, 1]²; the normal points along S_u × S_v, against it when `flip`. `net` is the
+ * control net to draw. Homogeneous rows make a rational surface.
+ */
+export interface Surface {
+  readonly rows: Rows;
+  readonly blend: Functions;
+  readonly flip: boolean;
+  readonly net: Points | null;
+}
+
+const SIDE = 17;
+const STEPS = Float64Array.from({ length: SIDE }, (_, i) => i / (SIDE - 1));
+
+/** Smallest and largest coordinates of 17 × 17 points of the surface, and the diagonal between them, length¹. */
+export function extent(surface: Surface): { low: number[]; high: number[]; size: number } {
+  const { rows, blend } = surface;
+  const m = rows.size, d = rows.dimension;
+  const q = new Float64Array(3 * SIDE * m * d), f = new Float64Array(3 * SIDE * m);
+  rows.derivatives(STEPS, SIDE, q);
+  blend.derivatives(STEPS, SIDE, f);
+  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  const sum = [0, 0, 0, 1];
+  for (let i = 0; i < SIDE; i++) {
+    for (let k = 0; k < SIDE; k++) {
+      for (let x = 0; x < d; x++) {
+        sum[x] = 0;
+        for (let j = 0; j < m; j++) sum[x]! += q[(i * m + j) * d + x]! * f[k * m + j]!;
+      }
+      for (let x = 0; x < 3; x++) {
+        const value = d === 4 ? sum[x]! / sum[3]! : sum[x]!;
+        low[x] = Math.min(low[x]!, value);
+        high[x] = Math.max(high[x]!, value);
+      }
+    }
+  }
+  const size = Math.sqrt(low.reduce((total, value, x) => total + (high[x]! - value) ** 2, 0));
+  return { low, high, size };
+}

