@@ -6,10 +6,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quintrig.arrays import FloatArray, frozen
-from quintrig.basis import Bernstein, TangentBernstein, shape_parameter
+from quintrig import taylor
+from quintrig.arrays import FloatArray, frozen, parameter
+from quintrig.basis import Bernstein, TangentBernstein, Trigonometric, shape_parameter
 from quintrig.rational import homogeneous, wedge_points, without_factor
-from quintrig.surface import Net, Projected, Surface
+from quintrig.surface import Net, Surface
 
 
 def developable(
@@ -26,10 +27,6 @@ def developable(
     ruling at u is Π ∩ Π'; v = 0 lies on the first bounding plane, v = 1 on the second. K = 0. The edge of regression
     may fall inside: ask ``regression``. Raises ValueError for wrong counts or values, and where the planes envelop no
     strip at all.
-
-    The boundaries are exact: Π is a polynomial of degree 10 in w = tan(πt/4), so the ruling is one of degree 18 and
-    meets a plane in a rational curve of degree 18, or 14 for α = ζ = 0. With α or ζ = -4, or two equal planes at an
-    end, the ruling has a factor w or 1 - w, which is divided out.
     """
     family = frozen(planes, "planes", (6, 4))
     cuts = frozen(bounds, "bounds", (2, 4))
@@ -40,16 +37,74 @@ def developable(
         flat = np.flatnonzero(~(np.abs(vectors[:, :3]).max(axis=1) > 0.0))
         if len(flat):
             raise ValueError(f"{name}[{flat[0]}]: expected a plane [a, b, c, d], found one with a = b = c = 0")
-    rulings = wedge_points(homogeneous(family, alpha, zeta))
-    rulings = without_factor(rulings, _stationary(rulings[0]), _stationary(rulings[-1]))
-    points = np.stack([_meet(rulings, cut) for cut in cuts], axis=1)
-    if not np.abs(points[..., 3]).max() > 1e-12 * np.abs(points).max():
+    rows = Envelope(family, cuts, Trigonometric(alpha, zeta, unchecked_shape))
+    if not rows.meets():
         raise ValueError(
             "planes: the control planes envelop no strip that the bounding planes cut (they are equal, parallel, or "
             "all contain one line that a bounding plane contains too); change the planes or the bounds"
         )
-    rows = Projected(Net(points, TangentBernstein(len(points) - 1)))
     return Surface(rows, Bernstein(1), flip)
+
+
+@dataclass(frozen=True, eq=False)
+class Envelope:
+    """The two boundary curves of the strip: where the rulings Π ∩ Π' meet the bounding planes.
+
+    With n and e the normals of Π and Π', and b that of a bounding plane, the boundary A satisfies n·A + d = 0 and
+    n·A' = b·A' = 0, so A' = λ b x n with λ from the derivative of Π'. Worked out in this order, A' lies in the tangent
+    plane whatever the rounding, and the strip keeps its accuracy near the edge of regression, where A' vanishes.
+    """
+
+    planes: FloatArray
+    bounds: FloatArray
+    functions: Trigonometric
+
+    @property
+    def size(self) -> int:
+        """Number of rows: two."""
+        return 2
+
+    @property
+    def dimension(self) -> int:
+        """3: points."""
+        return 3
+
+    def derivatives(self, u: ArrayLike, order: int) -> FloatArray:
+        """Return derivatives 0 to ``order`` by u, shape (order + 1, *u.shape, 2, 3), length¹.
+
+        Not finite where a ruling is parallel to a bounding plane. Raises ValueError for u outside [0, 1].
+        """
+        plane, slope = self._dual(parameter(u, "u"), order)
+        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+            return taylor.derivatives(np.stack([_boundary(plane, slope, cut) for cut in self.bounds], axis=-2))
+
+    @property
+    def homogeneous(self) -> Net:
+        """The exact rational form: rows (w x, w y, w z, w) of degree 18 or less in tan(πu/4).
+
+        Π is of degree 10, so Π ∩ Π' is of degree 18, or 14 for α = ζ = 0. Where the family of planes stands still at an
+        end, the ruling has a factor that is divided out.
+        """
+        rulings = wedge_points(homogeneous(self.planes, self.functions.alpha, self.functions.zeta))
+        rulings = without_factor(rulings, _stationary(rulings[0]), _stationary(rulings[-1]))
+        points = np.stack([_meet(rulings, cut) for cut in self.bounds], axis=1)
+        return Net(points, TangentBernstein(len(points) - 1))
+
+    def meets(self) -> bool:
+        """Return whether some ruling exists and meets both bounding planes in a point."""
+        plane, slope = (series[0, :, :3] for series in self._dual(np.linspace(0.0, 1.0, 33), 0))
+        volumes = np.abs(np.cross(plane, slope) @ self.bounds[:, :3].T)
+        lengths = [np.linalg.norm(vectors, axis=-1) for vectors in (plane, slope, self.bounds[:, :3])]
+        return bool((volumes > 1e-12 * lengths[0].max() * lengths[1].max() * lengths[2]).any(axis=0).all())
+
+    def _dual(self, u: FloatArray, order: int) -> tuple[FloatArray, FloatArray]:
+        """Return the series of Π and of Π', the latter without the factors that vanish where Π stands still."""
+        edges = np.diff(self.planes, axis=0)
+        start = self.functions.alpha == -4.0 or not edges[0].any()
+        end = self.functions.zeta == -4.0 or not edges[-1].any()
+        plane = self.functions.derivatives(u, order) @ self.planes
+        slope = self.functions.slopes(u, order, start, end) @ edges
+        return taylor.coefficients(plane), taylor.coefficients(slope)
 
 
 @dataclass(frozen=True, eq=False)
@@ -107,6 +162,32 @@ def _crossing(surface: Surface, outside: float, inside: float) -> float:
         first, second = _jacobians(surface, np.array([middle]))
         outside, inside = (outside, middle) if first[0] * second[0] <= 0.0 else (middle, inside)
     return inside
+
+
+def _boundary(plane: FloatArray, slope: FloatArray, cut: FloatArray) -> FloatArray:
+    """Return the series of the point common to Π, Π' and ``cut``, from those of the first two (order + 1, ..., 4)."""
+    n, e, b = plane[..., :3], slope[..., :3], cut[:3]
+    along = np.cross(b, n)
+    volume = _dot(e, along)
+    result: FloatArray = np.empty_like(along)
+    pencil = plane[0, ..., 3:] * np.cross(e[0], b) + slope[0, ..., 3:] * along[0] + cut[3] * np.cross(n[0], e[0])
+    result[0] = -pencil / volume[0][..., None]
+    rate: FloatArray = np.empty_like(volume)
+    for k in range(len(plane) - 1):
+        # The derivative of e·A + d = 0 gives λ e·(b x n) = -(e'·A + d').
+        rest = -(k + 1) * slope[k + 1, ..., 3]
+        for i in range(k + 1):
+            rest = rest - (i + 1) * (e[i + 1] * result[k - i]).sum(axis=-1)
+        for i in range(k):
+            rest = rest - rate[i] * volume[k - i]
+        rate[k] = rest / volume[0]
+        result[k + 1] = taylor.product(rate[: k + 1, ..., None], along[: k + 1])[k] / (k + 1)
+    return result
+
+
+def _dot(x: FloatArray, y: FloatArray) -> FloatArray:
+    """Return the series of the scalar product of two vector series (order + 1, ..., 3)."""
+    return taylor.product(x, y).sum(axis=-1)
 
 
 def _stationary(ruling: FloatArray) -> bool:

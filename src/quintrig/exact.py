@@ -15,9 +15,10 @@ from quintrig.arrays import FloatArray, parameter
 from quintrig.basis import Bernstein, TangentBernstein
 from quintrig.bspline import BSpline, clamped
 from quintrig.curve import Curve
+from quintrig.envelope import Envelope
 from quintrig.nurbs import nurbs
 from quintrig.rational import RIGHT_ANGLE, NotRationalError, TangentMap, rational_functions
-from quintrig.surface import Net, Projected, Surface
+from quintrig.surface import Net, Surface
 
 LARGEST_RATIO = 1e6
 """Largest ratio of weights that is handed to CAD systems; beyond, interior knots are added."""
@@ -104,7 +105,7 @@ def exact_surface(surface: Surface) -> ExactSurface:
     Raises NotRationalError for a catenoid, a helicoid and whatever else has none, and ValueError where a developable
     strip reaches infinity.
     """
-    if isinstance(surface.rows, Projected):
+    if isinstance(surface.rows, Envelope):
         return _strip(surface, surface.rows)
     if not isinstance(surface.rows, Net):
         raise NotRationalError(f"rows of type {type(surface.rows).__name__} have no exact rational form")
@@ -118,7 +119,7 @@ def exact_surface(surface: Surface) -> ExactSurface:
     )
 
 
-def _strip(surface: Surface, rows: Projected) -> ExactSurface:
+def _strip(surface: Surface, rows: Envelope) -> ExactSurface:
     """Return the form of a strip between two rational boundaries, in as many spans as positive weights need."""
     net = rows.homogeneous
     if not isinstance(net.functions, TangentBernstein) or surface.blend != Bernstein(1):

@@ -7,7 +7,6 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quintrig import taylor
 from quintrig.arrays import BoolArray, FloatArray, parameter
 from quintrig.functions import Functions
 
@@ -51,28 +50,6 @@ class Net:
         """Return derivatives 0 to ``order`` by u, shape (order + 1, *u.shape, size, 3 or 4), length¹."""
         f = self.functions.derivatives(u, order)
         return (f @ self.points.reshape(len(self.points), -1)).reshape(*f.shape[:-1], *self.points.shape[1:])
-
-
-@dataclass(frozen=True)
-class Projected:
-    """Rows given in homogeneous coordinates (x, y, z, w), each divided by its own w by the quotient rule."""
-
-    homogeneous: Net
-
-    @property
-    def size(self) -> int:
-        """Number of rows."""
-        return self.homogeneous.size
-
-    @property
-    def dimension(self) -> int:
-        """3: the division is done here."""
-        return 3
-
-    def derivatives(self, u: ArrayLike, order: int) -> FloatArray:
-        """Return derivatives 0 to ``order`` by u, shape (order + 1, *u.shape, size, 3), length¹."""
-        series = taylor.coefficients(self.homogeneous.derivatives(u, order))
-        return taylor.derivatives(taylor.quotient(series[..., :3], series[..., 3:]))
 
 
 @dataclass(frozen=True, eq=False)
