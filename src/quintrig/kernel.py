@@ -16,7 +16,7 @@ import numpy as np
 from quintrig import contraction, curvature
 from quintrig.arrays import FloatArray
 from quintrig.blocks import BLOCK
-from quintrig.compiled import loop, scalar
+from quintrig.compiled import loop
 from quintrig.planes import SCRATCH_ROWS, CodePlanes, FloatPlanes, fill_planes, store_frame
 
 SIMPLE = frozenset({"gaussian", "mean"})
@@ -62,23 +62,10 @@ def driver(size: int, functions: int, full: bool, simple: bool) -> Driver:
     BLOCK) are row derivatives already. ``blend`` is (blocks, 3 size BLOCK), ``count`` the number of points in an
     output row. ``full`` also forms point, frame and fundamental forms, ``simple`` writes K and H only.
     """
-    partials = contraction.partials(size, BLOCK, functions != 0)
+    # Only whole numbers may be held in the closure: they are part of the key under which the cache finds the driver.
+    stride, step = (1, 0) if functions == 0 else (BLOCK, 1)
     terms = 3 * size
 
-    @scalar
-    def contract(f: FloatArray, net: FloatArray, r: FloatArray) -> None:
-        """Form the row derivatives of a block from the functions and the control points."""
-        for x in range(terms):
-            for k in range(BLOCK):
-                value = first = second = 0.0
-                for i in range(functions):
-                    p = net[i * terms + x]
-                    value += f[i * BLOCK + k] * p
-                    first += f[(functions + i) * BLOCK + k] * p
-                    second += f[(2 * functions + i) * BLOCK + k] * p
-                r[x * BLOCK + k] = value
-                r[(terms + x) * BLOCK + k] = first
-                r[(2 * terms + x) * BLOCK + k] = second
 
     @loop
     def drive(
@@ -105,10 +92,10 @@ def driver(size: int, functions: int, full: bool, simple: bool) -> Driver:
                 d = blend[block]
                 r = rows[i if functions == 0 else block]
                 if functions > 0:
-                    contract(r, net, contracted)
+                    contraction.rows_of_net(r, net, contracted, functions, terms, BLOCK)
                     r = contracted
                 for k in range(BLOCK):
-                    point, du, dv, duu, duv, dvv = partials(r, d, k)
+                    point, du, dv, duu, duv, dvv = contraction.partials(r, d, k, size, BLOCK, stride, step)
                     frame = curvature.frame(du, dv, duu, duv, dvv, sign, tiny)
                     a, b, c = curvature.form_in_frame(frame)
                     s[k] = a
