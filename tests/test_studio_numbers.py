@@ -145,12 +145,14 @@ def natural_scales(sample):
     The invariants in the plane divide by powers of n_z, whose own rounding is relative to 1: one power more.
     """
     e, f, g = sample["E"], sample["F"], sample["G"]
+    second = np.linalg.norm(sample.surface.partials(sample.u, sample.v, 2), axis=-1)
     with np.errstate(all="ignore"):
-        # Below 1e-12 of 1/size a curvature is rounding of a plane (sample._NOISE); where S_u x S_v nearly vanishes
-        # (beside an edge of regression), rounding grows by the inverse of its size.
+        # A curvature is a difference of terms of this size: below 1e-12 of them all is rounding. Where
+        # S_u x S_v nearly vanishes (beside an edge of regression) rounding grows by the inverse of its size.
+        terms = second[2, 0] / e + second[1, 1] / np.sqrt(e * g) + second[0, 2] / g
         slant = 0.01 * sample.size**2 / np.sqrt(e * g - f * f)
-        bend = np.maximum(sample["curvedness"], 0.1 / sample.size) * np.maximum(slant, 1.0) ** 2
-    second = np.maximum(np.linalg.norm(sample.surface.partials(sample.u, sample.v, 2), axis=-1), sample.size)
+        bend = np.maximum(sample["curvedness"], 0.1 * terms) * np.maximum(slant, 1.0) ** 2
+    second = np.maximum(second, sample.size)
     speed, mixed, cross = e, np.sqrt(e * g), g
     one = np.ones_like(bend)
     steep = np.abs(sample["normal"][..., 2])
