@@ -46,8 +46,16 @@ class Patch:
         """Return the same patch with other shape parameters; ModelError where the kind has none or they do not fit."""
         if not self.shape:
             raise ModelError(f'patch "{self.name}": a {self.kind} has no shape parameters to vary')
-        keys = {**self.definition.model_dump(), "shape": list(shape)}
-        return _patch(keys, self.name, None)
+        return self._with(shape=list(shape))
+
+    def with_scale(self, scale: float) -> "Patch":
+        """Return the same swung patch with another scale factor λ; ModelError for other kinds."""
+        if not hasattr(self.definition, "scale"):
+            raise ModelError(f'patch "{self.name}": a {self.kind} has no scale to vary')
+        return self._with(scale=scale)
+
+    def _with(self, **changed: Any) -> "Patch":
+        return _patch({**self.definition.model_dump(), **changed}, self.name, None)
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,0 +1,70 @@
+"""The derivatives of rows and blend as functions of the design, at the points of a sweep.
+
+A surface built from control points is affine in each shape parameter, so five evaluations, at zero and with each parameter
+at one, give all designs by a weighted sum (Misro et al. 2017, from the form of f0, f1, f4 and f5).
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from quintrig.arrays import FloatArray
+from quintrig.definition import Bezier, Swung
+from quintrig.model import Patch
+from quintrig.surface import Surface
+from quintrig.sweep.space import SHAPE_NAMES, DesignSpace, parameters
+
+
+@dataclass(frozen=True, eq=False)
+class Parts:
+    """Row derivatives (1 + p, nu, 9 m) and blend derivatives (1 + p, 3 m block): the first plus each times its weight."""
+
+    rows: FloatArray
+    blend: FloatArray
+
+
+def is_affine(patch: Patch, space: DesignSpace) -> bool:
+    """Tell whether every varied parameter is a shape parameter of a surface built from control points."""
+    trigonometric = isinstance(patch.definition, Bezier) and patch.definition.basis == "trigonometric"
+    return trigonometric and set(space.names) <= set(SHAPE_NAMES)
+
+
+def affine_parts(patch: Patch, u: FloatArray, v: FloatArray, block: int) -> Parts:
+    """Return the parts for weights (α1, ζ1, α2, ζ2)."""
+    units = [patch.with_shape(shape).surface for shape in np.vstack([np.zeros(4), np.eye(4)]).tolist()]
+    rows, blends = zip(*(_derivatives(surface, u, v, block) for surface in units), strict=True)
+    return Parts(
+        np.stack([rows[0], *(row - rows[0] for row in rows[1:])]),
+        np.stack([blends[0], *(blend - blends[0] for blend in blends[1:])]),
+    )
+
+
+def single_part(patch: Patch, values: dict[str, float], u: FloatArray, v: FloatArray, block: int) -> Parts:
+    """Return the only part of one design, for parameters that are not affine."""
+    surface = with_parameters(patch, values).surface
+    rows, blend = _derivatives(surface, u, v, block)
+    return Parts(rows[None], blend[None])
+
+
+def with_parameters(patch: Patch, values: dict[str, float]) -> Patch:
+    """Return the patch with some of its parameters replaced."""
+    known = parameters(patch) | values
+    if isinstance(patch.definition, Swung):
+        scale = known.pop("scale")
+        patch = patch.with_scale(scale)
+    return patch.with_shape(list(known.values()))
+
+
+def weights(patch: Patch, space: DesignSpace, designs: FloatArray) -> FloatArray:
+    """Return (n, 4) shape parameters of designs (n, axes): those not varied keep the model's values."""
+    result = np.tile(np.array(patch.shape), (len(designs), 1))
+    for column, name in enumerate(space.names):
+        result[:, SHAPE_NAMES.index(name)] = designs[:, column]
+    return result
+
+
+def _derivatives(surface: Surface, u: FloatArray, v: FloatArray, block: int) -> tuple[FloatArray, FloatArray]:
+    rows = surface.rows.derivatives(u, 2).transpose(1, 0, 2, 3).reshape(len(u), -1)
+    padded = np.concatenate([v, np.full(block - len(v), v[-1])])
+    blend = surface.blend.derivatives(padded, 2).transpose(0, 2, 1).reshape(-1)
+    return np.ascontiguousarray(rows), np.ascontiguousarray(blend)

@@ -1,0 +1,78 @@
+"""One part of a sweep: a run of designs and their summaries, computed anywhere from plain data."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from quintrig.arrays import FloatArray
+from quintrig.classify import Thresholds
+from quintrig.model import Model, Patch
+from quintrig.sample import SINGULAR
+from quintrig.sweep.affine import affine_parts, is_affine, single_part, weights
+from quintrig.sweep.space import DesignSpace, check
+from quintrig.sweep.summarise import COLUMNS, clenshaw_curtis, summariser
+
+LARGEST_SIDE = 128
+
+
+@dataclass(frozen=True)
+class Task:
+    """A whole sweep as plain data, which travels to other machines: the model's keys, the patch, the space, the settings."""
+
+    model: dict[str, Any]
+    patch: str
+    space: DesignSpace
+    points: int = 32
+    thresholds: Thresholds = Thresholds()
+
+    def __post_init__(self) -> None:
+        """Check once, at birth."""
+        if not 4 <= self.points <= LARGEST_SIDE:
+            raise ValueError(f"--points: expected 4 to {LARGEST_SIDE} a side, got {self.points}")
+        check(self.space, self.built())
+
+    def built(self) -> Patch:
+        """Return the patch that is varied."""
+        return Model.from_dict(self.model).patch(self.patch)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return plain data that tells this sweep from every other."""
+        return {
+            "model": self.model,
+            "patch": self.patch,
+            "space": self.space.to_dict(),
+            "points": self.points,
+            "relative": self.thresholds.relative,
+            "flat": self.thresholds.flat,
+        }
+
+
+def summaries(task: Task, start: int, stop: int) -> FloatArray:
+    """Return designs ``start`` to ``stop`` and their summaries, (n, axes + columns).
+
+    Each row depends on its design alone, so that parts computed anywhere, in any order, are the same to the last bit.
+    """
+    patch = task.built()
+    designs = task.space.designs(start, stop)
+    result = np.empty((len(designs), len(COLUMNS)))
+    nodes, w = clenshaw_curtis(task.points)
+    block = -(-task.points // 8) * 8
+    wv = np.concatenate([w, np.zeros(block - len(w))])
+    surface = patch.surface
+    run = summariser(surface.rows.size, block)
+    settings = (surface.sign, SINGULAR, task.thresholds.relative, task.thresholds.flat)
+    if is_affine(patch, task.space):
+        parts = affine_parts(patch, nodes, nodes, block)
+        run(parts.rows, parts.blend, weights(patch, task.space, designs), w, wv, *settings, result)
+    else:
+        for i, design in enumerate(designs.tolist()):
+            values = dict(zip(task.space.names, design, strict=True))
+            part = single_part(patch, values, nodes, nodes, block)
+            run(part.rows, part.blend, np.empty((1, 0)), w, wv, *settings, result[i : i + 1])
+    return np.concatenate([designs, result], axis=1)
+
+
+def columns(space: DesignSpace) -> tuple[str, ...]:
+    """Return the names of all columns: the varied parameters, then the summaries."""
+    return (*space.names, *COLUMNS)

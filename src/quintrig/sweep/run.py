@@ -1,0 +1,97 @@
+"""Running a sweep: on threads of this machine, or on the workers of a Dask cluster."""
+
+from collections.abc import Callable, Iterator
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from itertools import islice
+from os import cpu_count
+from typing import Any
+from uuid import uuid4
+
+from quintrig.arrays import FloatArray
+from quintrig.errors import QuintrigError
+from quintrig.sweep.part import Task, summaries
+from quintrig.sweep.store import Sweep, require
+
+Progress = Callable[[int, int], None]
+"""Called with the designs done and the designs in all."""
+
+_PATIENCE = 10.0  # seconds to wait for a scheduler
+_AHEAD = 256  # parts handed to a cluster at a time
+
+
+def run(
+    sweep: Sweep, scheduler: str | None = None, progress: Progress | None = None, threads: int | None = None
+) -> None:
+    """Compute the parts that are missing and write each as it comes.
+
+    ``scheduler`` is the address of a ``dask.distributed`` scheduler, such as tcp://host:8786; without one, threads here.
+    Stopped at any moment, it loses only the parts under way. Raises QuintrigError for an unreachable cluster or a full disk.
+    """
+    missing = sweep.missing()
+    total = sweep.task.space.count
+    done = total - sum(stop - start for start, stop in map(sweep.span, missing))
+    if progress:
+        progress(done, total)
+    if not missing:
+        return
+    results = _on_cluster(sweep, missing, scheduler) if scheduler else _on_threads(sweep, missing, threads)
+    for part, rows in results:
+        sweep.write(part, rows)
+        done += len(rows)
+        if progress:
+            progress(done, total)
+
+
+def _on_threads(sweep: Sweep, parts: list[int], threads: int | None) -> Iterator[tuple[int, FloatArray]]:
+    workers = threads or cpu_count() or 1
+    with ThreadPoolExecutor(workers) as pool:
+        waiting = iter(parts)
+        running: dict[Future[FloatArray], int] = {}
+
+        def feed() -> None:
+            for part in waiting:
+                running[pool.submit(summaries, sweep.task, *sweep.span(part))] = part
+                if len(running) > workers:
+                    return
+
+        try:
+            feed()
+            while running:
+                finished, _ = wait(running, return_when=FIRST_COMPLETED)
+                for future in finished:
+                    part = running.pop(future)
+                    yield part, future.result()
+                feed()
+        finally:
+            for future in running:
+                future.cancel()
+
+
+def _on_cluster(sweep: Sweep, parts: list[int], scheduler: str) -> Iterator[tuple[int, FloatArray]]:
+    require("distributed", "cluster")
+    from distributed import Client, as_completed
+
+    try:
+        client = Client(scheduler, timeout=_PATIENCE, set_as_default=False)
+    except (OSError, ValueError, TimeoutError) as error:
+        reason = (str(error).splitlines() or [type(error).__name__])[0]
+        raise QuintrigError(f"--scheduler {scheduler}: cannot be reached ({reason}); is it running?") from None
+    waiting = iter(parts)
+    numbers: dict[str, int] = {}
+
+    def submit(count: int) -> list[Any]:
+        futures: list[Any] = []
+        for part in islice(waiting, count):
+            # The description goes with every part: nothing is lost with a worker that dies, the part is computed elsewhere.
+            future = client.submit(summaries, sweep.task, *sweep.span(part), key=f"quintrig-{uuid4()}", retries=3)
+            numbers[future.key] = part
+            futures.append(future)
+        return futures
+
+    with client:
+        running: Any = as_completed(submit(_AHEAD), with_results=True)
+        for future, rows in running:
+            yield numbers.pop(future.key), rows
+            future.release()
+            for more in submit(1):
+                running.add(more)

@@ -1,0 +1,162 @@
+"""Design spaces: which values the parameters of a patch take in a sweep."""
+
+import math
+from dataclasses import dataclass
+from typing import Any, Literal, cast
+
+import numpy as np
+
+from quintrig.arrays import FloatArray, number
+from quintrig.basis import SHAPE_RANGE
+from quintrig.definition import Developable, Swung
+from quintrig.errors import nearest
+from quintrig.model import Patch
+
+Sampling = Literal["grid", "latin", "sobol"]
+SHAPE_NAMES = ("alpha1", "zeta1", "alpha2", "zeta2")
+LARGEST_SPACE = 10**9
+
+
+@dataclass(frozen=True)
+class Axis:
+    """One parameter from ``low`` to ``high``; ``count`` values in a grid."""
+
+    name: str
+    low: float
+    high: float
+    count: int
+
+    @property
+    def values(self) -> FloatArray:
+        """The grid's values, both ends included."""
+        return np.linspace(self.low, self.high, self.count)
+
+
+def parse_axis(text: str) -> Axis:
+    """Return the axis that ``name=low:high:count`` says; a single ``name=value`` holds a parameter fixed.
+
+    Raises ValueError for anything else, an empty or a reversed range.
+    """
+    name, found, rest = text.partition("=")
+    parts = rest.split(":")
+    form = f"--vary {text!r}: expected name=low:high:count, such as alpha1=-4:1:21"
+    if not found or not name or len(parts) not in (1, 2, 3):
+        raise ValueError(form)
+    try:
+        low, high = float(parts[0]), float(parts[min(1, len(parts) - 1)])
+        count = int(parts[2]) if len(parts) == 3 else 1 if len(parts) == 1 else 11
+    except ValueError:
+        raise ValueError(form) from None
+    number(low, name)
+    number(high, name)
+    if high < low:
+        raise ValueError(f"--vary {text!r}: the range is reversed; write {name}={parts[1]}:{parts[0]}:{count}")
+    if count < 1:
+        raise ValueError(f"--vary {text!r}: the range is empty; expected a count of 1 or more, got {count}")
+    if count == 1 and high > low:
+        raise ValueError(f"--vary {text!r}: one value cannot span a range; expected a count of 2 or more")
+    return Axis(name.strip(), low, high, count)
+
+
+@dataclass(frozen=True)
+class DesignSpace:
+    """Designs, numbered from 0: all combinations of the axes' values, or ``count`` points of a low-discrepancy sample.
+
+    The last axis varies fastest in a grid. Raises ValueError for no axes, two of one name, or too many designs.
+    """
+
+    axes: tuple[Axis, ...]
+    sampling: Sampling = "grid"
+    samples: int = 0
+    seed: int = 0
+
+    def __post_init__(self) -> None:
+        """Check once, at birth."""
+        names = [axis.name for axis in self.axes]
+        if not names:
+            raise ValueError("--vary: expected at least one parameter, such as --vary alpha1=-4:1:21")
+        twice = [name for name in names if names.count(name) > 1]
+        if twice:
+            raise ValueError(f"--vary: {twice[0]!r} is given twice; give each parameter once")
+        if self.sampling != "grid" and self.samples < 1:
+            raise ValueError(f"--samples: expected 1 or more for {self.sampling} sampling, got {self.samples}")
+        if self.count > LARGEST_SPACE:
+            raise ValueError(
+                f"--vary: {self.count:.3g} designs are more than {LARGEST_SPACE:.0e}; take fewer values, or a sample by "
+                "--sampling sobol --samples N"
+            )
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the varied parameters."""
+        return tuple(axis.name for axis in self.axes)
+
+    @property
+    def count(self) -> int:
+        """Number of designs."""
+        return math.prod(axis.count for axis in self.axes) if self.sampling == "grid" else self.samples
+
+    def designs(self, start: int, stop: int) -> FloatArray:
+        """Return designs ``start`` to ``stop`` as (n, axes); each depends on its number only."""
+        low = np.array([axis.low for axis in self.axes])
+        high = np.array([axis.high for axis in self.axes])
+        if self.sampling == "grid":
+            index = np.unravel_index(np.arange(start, stop), [axis.count for axis in self.axes])
+            return np.stack([axis.values[i] for axis, i in zip(self.axes, index, strict=True)], axis=-1)
+        return low + (high - low) * _sample(self.sampling, len(self.axes), self.samples, self.seed)[start:stop]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return plain data that ``from_dict`` reads."""
+        return {
+            "axes": [[axis.name, axis.low, axis.high, axis.count] for axis in self.axes],
+            "sampling": self.sampling,
+            "samples": self.samples,
+            "seed": self.seed,
+        }
+
+    @staticmethod
+    def from_dict(data: dict[str, Any]) -> "DesignSpace":
+        """Return the space that ``to_dict`` described."""
+        return DesignSpace(
+            tuple(Axis(str(n), float(a), float(b), int(c)) for n, a, b, c in data["axes"]),
+            cast(Sampling, data["sampling"]),
+            int(data["samples"]),
+            int(data["seed"]),
+        )
+
+
+def parameters(patch: Patch) -> dict[str, float]:
+    """Return the parameters of a patch that can be varied, with the values that its model gives."""
+    names = ("alpha", "zeta") if isinstance(patch.definition, Developable) else SHAPE_NAMES
+    result = dict(zip(names, patch.shape, strict=True)) if patch.shape else {}
+    if isinstance(patch.definition, Swung):
+        result["scale"] = patch.definition.scale
+    return result
+
+
+def check(space: DesignSpace, patch: Patch) -> None:
+    """Raise ValueError where the patch has no such parameter or a range leaves [-4, 1]."""
+    known = parameters(patch)
+    if not known:
+        raise ValueError(f'patch "{patch.name}": a {patch.kind} has no parameters to vary')
+    low, high = SHAPE_RANGE
+    unchecked = bool(getattr(patch.definition, "unchecked_shape", False))
+    for axis in space.axes:
+        if axis.name not in known:
+            raise ValueError(
+                f"--vary {axis.name}: unknown parameter{nearest(axis.name, known)}; a {patch.kind} has {', '.join(known)}"
+            )
+        if axis.name != "scale" and not unchecked and not (low <= axis.low and axis.high <= high):
+            raise ValueError(f"--vary {axis.name}={axis.low:g}:{axis.high:g}: the range leaves [-4, 1]; narrow it")
+
+
+def _sample(sampling: Sampling, dimension: int, count: int, seed: int) -> FloatArray:
+    """Return points of the unit cube (count, dimension)."""
+    from scipy.stats import qmc
+
+    if sampling == "latin":
+        points = qmc.LatinHypercube(dimension, rng=seed).random(count)
+    else:
+        # Drawn as a full power of two, which Sobol's balance needs, then cut.
+        points = qmc.Sobol(dimension, rng=seed).random_base2(max(0, math.ceil(math.log2(count))))[:count]
+    return np.asarray(points, dtype=np.float64)

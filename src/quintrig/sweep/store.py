@@ -1,0 +1,127 @@
+"""A sweep on disk: a folder with a description and one Parquet file a part, each written whole and never twice."""
+
+import json
+import os
+import shutil
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, cast
+
+import numpy as np
+
+from quintrig.arrays import FloatArray
+from quintrig.classify import Thresholds
+from quintrig.errors import QuintrigError
+from quintrig.files import write_whole
+from quintrig.sweep.part import Task, columns
+from quintrig.sweep.space import DesignSpace
+
+PART = 8192
+"""Designs in a part: a second or two of work, 1.5 MB."""
+
+_DESCRIPTION = "sweep.json"
+_FORMAT = 1
+
+
+@dataclass(frozen=True)
+class Sweep:
+    """A sweep in ``folder``."""
+
+    folder: Path
+    task: Task
+
+    @property
+    def parts(self) -> int:
+        """Number of parts in all."""
+        return -(-self.task.space.count // PART)
+
+    def missing(self) -> list[int]:
+        """Return the numbers of the parts that are not there yet."""
+        return [part for part in range(self.parts) if not self._file(part).exists()]
+
+    def span(self, part: int) -> tuple[int, int]:
+        """Return the numbers of the first design of a part and of the one after its last."""
+        return part * PART, min((part + 1) * PART, self.task.space.count)
+
+    def write(self, part: int, rows: FloatArray) -> None:
+        """Write a part; a file that is already there is kept. Raises QuintrigError for a full disk and the like."""
+        import pyarrow as pa
+        import pyarrow.parquet as pq
+
+        target = self._file(part)
+        if target.exists():
+            return
+        names = columns(self.task.space)
+        table = pa.table({name: np.ascontiguousarray(rows[:, i]) for i, name in enumerate(names)})
+        sink = pa.BufferOutputStream()
+        pq.write_table(table, sink, compression="zstd")
+        write_whole(target, cast(bytes, sink.getvalue().to_pybytes()))
+
+    def _file(self, part: int) -> Path:
+        return self.folder / f"part-{part:06d}.parquet"
+
+
+def open_sweep(folder: Path, task: Task) -> Sweep:
+    """Return the sweep of ``task`` in ``folder``, begun or continued.
+
+    Raises QuintrigError where the folder holds another sweep or other files, cannot be written, or the disk is too small.
+    """
+    require("pyarrow", "sweep")
+    description = json.dumps({"format": _FORMAT} | task.to_dict(), indent=1, sort_keys=True)
+    if (folder / _DESCRIPTION).exists():
+        if _read(folder) != json.loads(description):
+            raise QuintrigError(
+                f"{folder}: holds a different sweep (other model, ranges or settings); choose another folder, or delete it"
+            )
+        return Sweep(folder, task)
+    if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
+        raise QuintrigError(f"{folder}: expected a new or empty folder, or one with a sweep; choose another")
+    _check_disk(folder, task)
+    write_whole(folder / _DESCRIPTION, description)
+    return Sweep(folder, task)
+
+
+def load_sweep(folder: Path) -> Sweep:
+    """Return the sweep that a folder holds; QuintrigError where there is none."""
+    data = _read(folder)
+    thresholds = Thresholds(float(data["relative"]), float(data["flat"]))
+    space = DesignSpace.from_dict(data["space"])
+    return Sweep(folder, Task(data["model"], str(data["patch"]), space, int(data["points"]), thresholds))
+
+
+def require(package: str, extra: str) -> None:
+    """Raise QuintrigError with the command that installs an optional package, where it is missing."""
+    from importlib.util import find_spec
+
+    if find_spec(package) is None:
+        raise QuintrigError(f"this needs {package}, which is not installed: run pip install 'quintrig[{extra}]'")
+
+
+def _read(folder: Path) -> dict[str, Any]:
+    try:
+        data = json.loads((folder / _DESCRIPTION).read_text())
+    except FileNotFoundError:
+        raise QuintrigError(f"{folder}: holds no sweep ({_DESCRIPTION} is missing)") from None
+    except (OSError, ValueError) as error:
+        raise QuintrigError(
+            f"{folder / _DESCRIPTION}: cannot be read ({error}); delete the folder and start anew"
+        ) from None
+    if not isinstance(data, dict) or cast(dict[str, Any], data).get("format") != _FORMAT:
+        raise QuintrigError(f"{folder / _DESCRIPTION}: is not a description of a sweep that this quintrig reads")
+    return cast(dict[str, Any], data)
+
+
+def _check_disk(folder: Path, task: Task) -> None:
+    """Raise QuintrigError where the rows, uncompressed, would not fit the disk."""
+    needed = task.space.count * len(columns(task.space)) * 8
+    place = folder.absolute()
+    while not place.exists():
+        place = place.parent
+    free = shutil.disk_usage(place).free
+    if needed > free:
+        raise QuintrigError(
+            f"{folder}: {task.space.count:,} designs need up to {needed / 1e9:.1f} GB, {free / 1e9:.1f} GB are free; "
+            "take fewer values or another disk"
+        )
+    if not os.access(place, os.W_OK):
+        raise QuintrigError(f"{folder}: cannot be written (no permission in {place}); choose another place")

@@ -1,0 +1,198 @@
+"""The compiled summary of designs: one pass over the points of each, in lanes, without arrays of points.
+
+Points are Clenshaw-Curtis nodes: they include the edges, where extremes often lie, and carry the weights of a quadrature
+that converges as fast as Gauss's on smooth integrands (Trefethen 2008).
+"""
+
+from functools import cache
+from typing import Protocol
+
+import numpy as np
+
+from quintrig import classify, contraction, curvature
+from quintrig.arrays import FloatArray
+from quintrig.classify import HK_TYPES
+from quintrig.compiled import loop, scalar
+
+_EXTREMES = ("gaussian", "mean", "curvedness")
+
+COLUMNS: tuple[str, ...] = (
+    *(f"{key}_{what}" for key in _EXTREMES for what in ("min", "max")),
+    "area",
+    *(f"{key}_mean" for key in _EXTREMES),
+    "bending_energy",
+    "thin_plate_energy",
+    *(f"share_{name.replace(' ', '_')}" for name in HK_TYPES[1:]),
+    "singular",
+)
+"""Columns of a summary. Means and shares are by area; energies as in ``integrate``; ``singular`` counts points."""
+
+_SUMS, _SHARES, _SINGULAR = 6, 12, 21
+_ACCUMULATORS = 22
+_K, _H, _C, _W, _THIN, _CODE = range(6)
+_SCRATCH = 6
+
+
+class Summariser(Protocol):
+    """A compiled summary; see ``summariser``."""
+
+    def __call__(
+        self,
+        rows: FloatArray,
+        blend: FloatArray,
+        weights: FloatArray,
+        wu: FloatArray,
+        wv: FloatArray,
+        sign: float,
+        singular: float,
+        relative: float,
+        flat: float,
+        out: FloatArray,
+    ) -> None:
+        """Fill one row of ``out`` for each row of ``weights``."""
+        ...
+
+
+def clenshaw_curtis(count: int) -> tuple[FloatArray, FloatArray]:
+    """Return ``count`` nodes on [0, 1], both ends included, and their weights, which sum to 1 (Clenshaw and Curtis 1960)."""
+    angle = np.pi * np.arange(count) / (count - 1)
+    degree = np.arange(count)
+    # Integrals of the Chebyshev polynomials over [-1, 1]: 2 / (1 - k²) for even k.
+    integral = np.where(degree % 2 == 0, 2.0 / (1.0 - np.where(degree == 1, 0, degree).astype(float) ** 2), 0.0)
+    weights = np.linalg.solve(np.cos(np.outer(degree, angle)), integral)
+    # sin² keeps the nodes near 0 accurate, and symmetric to those near 1.
+    nodes = np.sin(0.5 * angle) ** 2
+    nodes[-1] = 1.0
+    return nodes, 0.5 * weights
+
+
+@scalar
+def _extent(r: FloatArray, d: FloatArray, s: FloatArray, size: int, block: int) -> float:
+    """Return the diagonal of the bounding box of every fourth row of points and the last."""
+    square = 0.0
+    for axis in range(3):
+        low, high = np.inf, -np.inf
+        for i in range(0, r.shape[0] + 3, 4):
+            row = r[min(i, r.shape[0] - 1)]
+            for k in range(block):
+                value = 0.0
+                for m in range(size):
+                    value += row[3 * m + axis] * d[m * block + k]
+                s[k] = value
+            low = min(low, s[:block].min())
+            high = max(high, s[:block].max())
+        square += (high - low) ** 2
+    return np.sqrt(square)
+
+
+@scalar
+def _points(r: FloatArray, d: FloatArray, s: FloatArray, sign: float, tiny: float, size: int, block: int) -> None:
+    """Write K, H, C, W and the thin-plate integrand of one row of points to scratch."""
+    for k in range(block):
+        _, du, dv, duu, duv, dvv = contraction.partials(r, d, k, size, block, 1, 0)
+        frame = curvature.frame(du, dv, duu, duv, dvv, sign, tiny)
+        a, b, c = curvature.form_in_frame(frame)
+        mean, radius = curvature.mean_and_radius(a, b, c)
+        s[_K * block + k] = a * c - b * b
+        s[_H * block + k] = mean
+        s[_C * block + k] = np.sqrt(mean * mean + radius * radius)
+        s[_W * block + k] = 1.0 / frame[1]
+        dot = curvature.dot
+        s[_THIN * block + k] = dot(duu, duu) + 2.0 * dot(duv, duv) + dot(dvv, dvv)
+
+
+@scalar
+def _gather(
+    s: FloatArray, weight: float, wv: FloatArray, lanes: FloatArray, relative: float, plane: float, block: int
+) -> None:
+    """Add one row of points to the lanes. A comparison with NaN is false, so singular points change no extreme."""
+    for q in range(3):
+        low, high = lanes[2 * q], lanes[2 * q + 1]
+        for k in range(block):
+            value = s[q * block + k]
+            low[k] = value if value < low[k] else low[k]
+            high[k] = -value if -value < high[k] else high[k]
+    for k in range(block):
+        gauss, mean, curved = s[_K * block + k], s[_H * block + k], s[_C * block + k]
+        regular = gauss == gauss  # noqa: PLR0124 (false for NaN alone)
+        area = weight * wv[k] * s[_W * block + k] if regular else 0.0
+        lanes[_SUMS, k] += area
+        lanes[_SUMS + 1, k] += area * gauss if regular else 0.0
+        lanes[_SUMS + 2, k] += area * mean if regular else 0.0
+        lanes[_SUMS + 3, k] += area * curved if regular else 0.0
+        lanes[_SUMS + 4, k] += 2.0 * area * curved * curved if regular else 0.0
+        lanes[_SUMS + 5, k] += weight * wv[k] * s[_THIN * block + k]
+        lanes[_SINGULAR, k] += 0.0 if regular or wv[k] == 0.0 else 1.0
+        s[_W * block + k] = area
+        s[_CODE * block + k] = classify.besl(gauss, mean, curved, relative, plane)
+    for code in range(1, 10):
+        share = lanes[_SHARES + code - 1]
+        for k in range(block):
+            share[k] += s[_W * block + k] if s[_CODE * block + k] == code else 0.0
+
+
+@scalar
+def _reduce(lanes: FloatArray, row: FloatArray) -> None:
+    """Turn the lanes into the columns of a summary."""
+    for q in range(3):
+        low, high = lanes[2 * q].min(), -lanes[2 * q + 1].min()
+        row[2 * q] = low if low < np.inf else np.nan
+        row[2 * q + 1] = high if high > -np.inf else np.nan
+    area = lanes[_SUMS].sum()
+    row[_SUMS] = area
+    for q in range(1, 4):
+        row[_SUMS + q] = lanes[_SUMS + q].sum() / area
+    row[_SUMS + 4] = lanes[_SUMS + 4].sum()
+    row[_SUMS + 5] = lanes[_SUMS + 5].sum()
+    for code in range(9):
+        row[_SHARES + code] = lanes[_SHARES + code].sum() / area
+    row[_SINGULAR] = lanes[_SINGULAR].sum()
+
+
+@cache
+def summariser(size: int, block: int) -> Summariser:
+    """Return the compiled summary for surfaces of ``size`` rows and at most ``block`` points in v.
+
+    ``rows`` (1 + p, nu, 9 size) and ``blend`` (1 + p, 3 size block) are the parts of ``affine.Parts``, ``weights`` (n, p);
+    ``wu`` (nu,) and ``wv`` (block,) quadrature weights, zero where v is padding; ``singular`` and ``flat`` as shares of the
+    size; ``out`` (n, columns).
+    """
+
+    @loop
+    def summarise(
+        rows: FloatArray,
+        blend: FloatArray,
+        weights: FloatArray,
+        wu: FloatArray,
+        wv: FloatArray,
+        sign: float,
+        singular: float,
+        relative: float,
+        flat: float,
+        out: FloatArray,
+    ) -> None:
+        r = np.empty((rows.shape[1], 9 * size))
+        d = np.empty(3 * size * block)
+        lanes = np.empty((_ACCUMULATORS, block))
+        s = np.empty(_SCRATCH * block)
+        for n in range(weights.shape[0]):
+            d[:] = blend[0]
+            r[:, :] = rows[0]
+            for p in range(weights.shape[1]):
+                value = weights[n, p]
+                for x in range(d.size):
+                    d[x] += value * blend[p + 1, x]
+                for i in range(r.shape[0]):
+                    for x in range(r.shape[1]):
+                        r[i, x] += value * rows[p + 1, i, x]
+            extent = _extent(r, d, s, size, block)
+            tiny = singular * extent * extent
+            plane = flat / extent if extent > 0.0 else np.inf
+            lanes[:_SUMS] = np.inf
+            lanes[_SUMS:] = 0.0
+            for i in range(r.shape[0]):
+                _points(r[i], d, s, sign, tiny, size, block)
+                _gather(s, wu[i], wv, lanes, relative, plane, block)
+            _reduce(lanes, out[n])
+
+    return summarise
