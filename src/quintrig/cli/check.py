@@ -1,15 +1,128 @@
-"""``quintrig check``."""
+"""``quintrig check``: is the model valid, what is it, and what to beware of."""
+
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from quintrig.errors import QuintrigError
+from quintrig.cli import session
+from quintrig.errors import ModelError
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+    from quintrig.model import Model, Patch
+    from quintrig.summary import Summary
+
+_EPILOG = session.examples(
+    ("quintrig check lid.toml", "tells kind, size, shape parameters, normal, curvature and warnings"),
+    ("quintrig check --strict models/*.toml", "fails, with exit code 1, where there is a warning"),
+)
 
 
 def register(app: typer.Typer) -> None:
     """Add the command."""
-    app.command()(check)
+    session.add(app, check, _EPILOG)
 
 
-def check() -> None:
-    """Not built yet."""
-    raise QuintrigError("check: not built yet")
+def check(
+    models: Annotated[
+        list[Path], typer.Argument(metavar="MODEL...", help="Model files, .toml or .json.", show_default=False)
+    ],
+    strict: Annotated[bool, typer.Option("--strict", help="Exit with 1 where there are warnings.")] = False,
+) -> None:
+    """Check models, and tell in a few lines what each is and what to beware of.
+
+    Warnings are singular points and edges, an edge of regression inside a developable strip, shape parameters outside
+    their range, folds and coinciding control points.
+    """
+    console = session.output()
+    warnings = mistakes = 0
+    for index, path in enumerate(models):
+        if index:
+            session.emit("")
+        try:
+            warnings += _tell(path, session.load(path), console)
+        except ModelError as error:
+            session.complain(str(error))
+            mistakes += 1
+    if mistakes:
+        raise typer.Exit(session.MISTAKE)
+    if warnings and strict:
+        raise typer.Exit(session.FOUND)
+
+
+def _tell(path: Path, model: "Model", console: "Console") -> int:
+    """Print what a model is; return the number of warnings."""
+    from rich.markup import escape
+
+    console.print(
+        f"[bold]{escape(session.printable(model.name))}[/bold]  [dim]{escape(session.printable(str(path)))}[/dim]"
+    )
+    return sum(_tell_patch(patch, model, console) for patch in model.patches)
+
+
+def _tell_patch(patch: "Patch", model: "Model", console: "Console") -> int:
+    from rich.markup import escape
+
+    from quintrig.summary import summarise
+
+    summary = summarise(patch.surface, model.unit)
+    if len(model.patches) > 1:
+        console.print(f"  [bold]{escape(patch.name)}[/bold]")
+    for name, value in _facts(patch, model.unit, summary):
+        console.print(f"  [cyan]{name:<10}[/cyan]{escape(value)}", soft_wrap=True)
+    for warning in summary.warnings:
+        console.print(f"  [yellow]warning   {escape(warning)}[/yellow]", soft_wrap=True)
+    if not summary.warnings:
+        console.print("  [green]no warnings[/green]")
+    return len(summary.warnings)
+
+
+def _facts(patch: "Patch", unit: str, summary: "Summary") -> list[tuple[str, str]]:
+    """Return the lines that describe a patch: what, and its value in words."""
+    box = " × ".join(f"{extent:.4g}" for extent in summary.box[1] - summary.box[0])
+    area = _quantity(summary.integrals.area.value, f"{unit}²" if unit else "")
+    facts = [("kind", _kind(patch)), ("size", f"{_quantity(box, unit)} along x, y, z; area {area}")]
+    if not unit:
+        facts.append(("unit", "none stated: plain numbers"))
+    if patch.shape:
+        names = ("α1", "ζ1", "α2", "ζ2") if len(patch.shape) == 4 else ("α", "ζ")
+        facts.append(("shape", ", ".join(f"{n} = {value:g}" for n, value in zip(names, patch.shape, strict=True))))
+    facts.append(("normal", _normal(patch, summary)))
+    facts.append(("curvature", "; ".join(_range(key, unit, summary) for key in ("gaussian", "mean"))))
+    return facts
+
+
+def _kind(patch: "Patch") -> str:
+    words = (type(patch.definition).__doc__ or "").splitlines()[0].rstrip(".")
+    classical = getattr(patch.definition, "basis", "") == "bernstein"
+    text = f"{words[0].lower()}{words[1:]}" + (", classical Bernstein basis" if classical else "")
+    return text if text == patch.kind else f"{patch.kind}: {text}"
+
+
+def _normal(patch: "Patch", summary: "Summary") -> str:
+    from quintrig.sample import analyse
+
+    middle = analyse(patch.surface, 0.5, 0.5, ("normal",)).normal
+    along = summary.orientation.removeprefix("the normal points ")
+    x, y, z = (round(float(part), 3) + 0.0 for part in middle)
+    return along if math.isnan(x) else f"{along}; in the middle ({x:g}, {y:g}, {z:g})"
+
+
+def _range(key: str, unit: str, summary: "Summary") -> str:
+    from quintrig.quantity import quantity
+
+    row, found = quantity(key), summary.extremes[key]
+    if found.minimum.status == "undefined":
+        return f"{row.symbol} undefined everywhere"
+    rounding = 1e-12 * summary.extremes["curvedness"].maximum.value ** -row.power
+    low, high = (0.0 if abs(end.value) <= rounding else end.value for end in (found.minimum, found.maximum))
+    span = f"{row.symbol} from {low:.4g} to {high:.4g}" if low < high else f"{row.symbol} = {low:.4g}"
+    return _quantity(span, row.unit(unit))
+
+
+def _quantity(value: float | str, unit: str) -> str:
+    text = value if isinstance(value, str) else f"{value:.4g}"
+    return f"{text} {unit}".rstrip()

@@ -95,6 +95,11 @@ def done(page: Path) -> None:
     emit(printable(str(page)))
 
 
+def complain(message: str) -> None:
+    """Say on stderr, in one line, what is wrong with one of several inputs."""
+    _say(message, MISTAKE)
+
+
 def wrote(path: Path) -> None:
     """Say where the result is, on stderr."""
     sys.stderr.write(f"wrote {printable(str(path))}\n")
