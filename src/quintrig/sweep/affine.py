@@ -1,7 +1,7 @@
 """The derivatives of rows and blend as functions of the design, at the points of a sweep.
 
-A surface built from control points is affine in each shape parameter, so five evaluations, at zero and with each parameter
-at one, give all designs by a weighted sum (Misro et al. 2017, from the form of f0, f1, f4 and f5).
+A surface built from control points is affine in each shape parameter, so five evaluations, at zero and with each
+parameter at one, give all designs by a weighted sum (Misro et al. 2017, from the form of f0, f1, f4 and f5).
 """
 
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ from quintrig.sweep.space import SHAPE_NAMES, DesignSpace, parameters
 
 @dataclass(frozen=True, eq=False)
 class Parts:
-    """Row derivatives (1 + p, nu, 9 m) and blend derivatives (1 + p, 3 m block): the first plus each times its weight."""
+    """Row (1 + p, nu, 9 m) and blend derivatives (1 + p, 3 m block): the first plus each other times its weight."""
 
     rows: FloatArray
     blend: FloatArray

@@ -1,6 +1,6 @@
 """One part of a sweep: a run of designs and their summaries, computed anywhere from plain data."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -8,6 +8,7 @@ import numpy as np
 from quintrig.arrays import FloatArray
 from quintrig.classify import Thresholds
 from quintrig.model import Model, Patch
+from quintrig.quantity import BY_KEY
 from quintrig.sample import SINGULAR
 from quintrig.sweep.affine import affine_parts, is_affine, single_part, weights
 from quintrig.sweep.space import DesignSpace, check
@@ -18,13 +19,13 @@ LARGEST_SIDE = 128
 
 @dataclass(frozen=True)
 class Task:
-    """A whole sweep as plain data, which travels to other machines: the model's keys, the patch, the space, the settings."""
+    """A whole sweep as plain data, which travels to other machines."""
 
     model: dict[str, Any]
     patch: str
     space: DesignSpace
     points: int = 32
-    thresholds: Thresholds = Thresholds()
+    thresholds: Thresholds = field(default_factory=Thresholds)
 
     def __post_init__(self) -> None:
         """Check once, at birth."""
@@ -76,3 +77,11 @@ def summaries(task: Task, start: int, stop: int) -> FloatArray:
 def columns(space: DesignSpace) -> tuple[str, ...]:
     """Return the names of all columns: the varied parameters, then the summaries."""
     return (*space.names, *COLUMNS)
+
+
+def column_unit(name: str, length: str) -> str:
+    """Return the unit of a column in text, such as 1/mm²; empty for a pure number or where the model has no unit."""
+    key = name.rpartition("_")[0]
+    if key in BY_KEY:
+        return BY_KEY[key].unit(length)
+    return f"{length}²" if length and name in ("area", "thin_plate_energy") else ""

@@ -15,8 +15,9 @@ def select(
 ) -> dict[str, FloatArray]:
     """Return columns of the designs that meet ``where``, ordered by the column ``best``, the first ``limit`` of them.
 
-    ``where`` is a condition in SQL on the columns, such as ``gaussian_min >= 0 AND area < 12``. Lengths are in the model's
-    unit. Raises QuintrigError for a condition that cannot be read, an unknown column, or a sweep without parts.
+    ``where`` is a condition in SQL on the columns, such as ``gaussian_min >= 0 AND area < 12``. Lengths are in the
+    model's unit. Raises QuintrigError for a condition that cannot be read, an unknown column, or a sweep without
+    parts.
     """
     require("polars", "sweep")
     import polars as pl
@@ -36,7 +37,7 @@ def select(
     except pl.exceptions.PolarsError as error:
         reason = (str(error).splitlines() or [""])[0][:120]
         raise QuintrigError(
-            f"--where {where!r}: {reason}; expected a condition such as 'gaussian_min >= 0 AND singular = 0' on the columns "
-            f"{', '.join(known)}"
+            f"--where {where!r}: {reason}; expected a condition such as 'gaussian_min >= 0 AND singular = 0' "
+            f"on the columns {', '.join(known)}"
         ) from None
     return {name: np.asarray(cast(Any, found[name]).to_numpy(), dtype=np.float64) for name in known}

@@ -4,12 +4,12 @@ from collections.abc import Callable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from itertools import islice
 from os import cpu_count
-from typing import Any
+from typing import Any, cast
 from uuid import uuid4
 
 from quintrig.arrays import FloatArray
 from quintrig.errors import QuintrigError
-from quintrig.sweep.part import Task, summaries
+from quintrig.sweep.part import summaries
 from quintrig.sweep.store import Sweep, require
 
 Progress = Callable[[int, int], None]
@@ -24,8 +24,9 @@ def run(
 ) -> None:
     """Compute the parts that are missing and write each as it comes.
 
-    ``scheduler`` is the address of a ``dask.distributed`` scheduler, such as tcp://host:8786; without one, threads here.
-    Stopped at any moment, it loses only the parts under way. Raises QuintrigError for an unreachable cluster or a full disk.
+    ``scheduler`` is the address of a ``dask.distributed`` scheduler, such as tcp://host:8786; without one, threads
+    here. Stopped at any moment, it loses only the parts under way. Raises QuintrigError for an unreachable cluster or
+    a full disk.
     """
     missing = sweep.missing()
     total = sweep.task.space.count
@@ -72,7 +73,7 @@ def _on_cluster(sweep: Sweep, parts: list[int], scheduler: str) -> Iterator[tupl
     from distributed import Client, as_completed
 
     try:
-        client = Client(scheduler, timeout=_PATIENCE, set_as_default=False)
+        client: Any = cast(Any, Client)(scheduler, timeout=_PATIENCE, set_as_default=False)
     except (OSError, ValueError, TimeoutError) as error:
         reason = (str(error).splitlines() or [type(error).__name__])[0]
         raise QuintrigError(f"--scheduler {scheduler}: cannot be reached ({reason}); is it running?") from None
@@ -82,14 +83,15 @@ def _on_cluster(sweep: Sweep, parts: list[int], scheduler: str) -> Iterator[tupl
     def submit(count: int) -> list[Any]:
         futures: list[Any] = []
         for part in islice(waiting, count):
-            # The description goes with every part: nothing is lost with a worker that dies, the part is computed elsewhere.
-            future = client.submit(summaries, sweep.task, *sweep.span(part), key=f"quintrig-{uuid4()}", retries=3)
+            # The description goes with every part, so nothing is lost with a worker that dies.
+            key = f"quintrig-{uuid4()}"
+            future: Any = client.submit(summaries, sweep.task, *sweep.span(part), key=key, retries=3)
             numbers[future.key] = part
             futures.append(future)
         return futures
 
     with client:
-        running: Any = as_completed(submit(_AHEAD), with_results=True)
+        running: Any = cast(Any, as_completed)(submit(_AHEAD), with_results=True)
         for future, rows in running:
             yield numbers.pop(future.key), rows
             future.release()

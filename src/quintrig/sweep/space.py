@@ -60,7 +60,7 @@ def parse_axis(text: str) -> Axis:
 
 @dataclass(frozen=True)
 class DesignSpace:
-    """Designs, numbered from 0: all combinations of the axes' values, or ``count`` points of a low-discrepancy sample.
+    """Designs, numbered from 0: all combinations of the axes' values, or a sample of ``samples`` points.
 
     The last axis varies fastest in a grid. Raises ValueError for no axes, two of one name, or too many designs.
     """
@@ -82,8 +82,8 @@ class DesignSpace:
             raise ValueError(f"--samples: expected 1 or more for {self.sampling} sampling, got {self.samples}")
         if self.count > LARGEST_SPACE:
             raise ValueError(
-                f"--vary: {self.count:.3g} designs are more than {LARGEST_SPACE:.0e}; take fewer values, or a sample by "
-                "--sampling sobol --samples N"
+                f"--vary: {self.count:.3g} designs are more than {LARGEST_SPACE:.0e}; take fewer values, or a sample "
+                "by --sampling sobol --samples N"
             )
 
     @property
@@ -127,8 +127,8 @@ class DesignSpace:
 
 def parameters(patch: Patch) -> dict[str, float]:
     """Return the parameters of a patch that can be varied, with the values that its model gives."""
-    names = ("alpha", "zeta") if isinstance(patch.definition, Developable) else SHAPE_NAMES
-    result = dict(zip(names, patch.shape, strict=True)) if patch.shape else {}
+    names: tuple[str, ...] = ("alpha", "zeta") if isinstance(patch.definition, Developable) else SHAPE_NAMES
+    result: dict[str, float] = dict(zip(names, patch.shape, strict=True)) if patch.shape else {}
     if isinstance(patch.definition, Swung):
         result["scale"] = patch.definition.scale
     return result
@@ -144,7 +144,8 @@ def check(space: DesignSpace, patch: Patch) -> None:
     for axis in space.axes:
         if axis.name not in known:
             raise ValueError(
-                f"--vary {axis.name}: unknown parameter{nearest(axis.name, known)}; a {patch.kind} has {', '.join(known)}"
+                f"--vary {axis.name}: unknown parameter{nearest(axis.name, known)}; "
+                f"a {patch.kind} has {', '.join(known)}"
             )
         if axis.name != "scale" and not unchecked and not (low <= axis.low and axis.high <= high):
             raise ValueError(f"--vary {axis.name}={axis.low:g}:{axis.high:g}: the range leaves [-4, 1]; narrow it")

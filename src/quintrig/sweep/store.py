@@ -45,13 +45,15 @@ class Sweep:
 
     def write(self, part: int, rows: FloatArray) -> None:
         """Write a part; a file that is already there is kept. Raises QuintrigError for a full disk and the like."""
-        import pyarrow as pa
-        import pyarrow.parquet as pq
+        import pyarrow
+        from pyarrow import parquet
 
         target = self._file(part)
         if target.exists():
             return
         names = columns(self.task.space)
+        # pyarrow carries no types.
+        pa, pq = cast(Any, pyarrow), cast(Any, parquet)
         table = pa.table({name: np.ascontiguousarray(rows[:, i]) for i, name in enumerate(names)})
         sink = pa.BufferOutputStream()
         pq.write_table(table, sink, compression="zstd")
@@ -64,14 +66,15 @@ class Sweep:
 def open_sweep(folder: Path, task: Task) -> Sweep:
     """Return the sweep of ``task`` in ``folder``, begun or continued.
 
-    Raises QuintrigError where the folder holds another sweep or other files, cannot be written, or the disk is too small.
+    Raises QuintrigError where the folder holds another sweep or other files, cannot be written, or the disk is too
+    small.
     """
     require("pyarrow", "sweep")
     description = json.dumps({"format": _FORMAT} | task.to_dict(), indent=1, sort_keys=True)
     if (folder / _DESCRIPTION).exists():
         if _read(folder) != json.loads(description):
             raise QuintrigError(
-                f"{folder}: holds a different sweep (other model, ranges or settings); choose another folder, or delete it"
+                f"{folder}: holds another sweep (other model, ranges or settings); choose another folder or delete it"
             )
         return Sweep(folder, task)
     if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
@@ -103,9 +106,8 @@ def _read(folder: Path) -> dict[str, Any]:
     except FileNotFoundError:
         raise QuintrigError(f"{folder}: holds no sweep ({_DESCRIPTION} is missing)") from None
     except (OSError, ValueError) as error:
-        raise QuintrigError(
-            f"{folder / _DESCRIPTION}: cannot be read ({error}); delete the folder and start anew"
-        ) from None
+        place = folder / _DESCRIPTION
+        raise QuintrigError(f"{place}: cannot be read ({error}); delete the folder and start anew") from None
     if not isinstance(data, dict) or cast(dict[str, Any], data).get("format") != _FORMAT:
         raise QuintrigError(f"{folder / _DESCRIPTION}: is not a description of a sweep that this quintrig reads")
     return cast(dict[str, Any], data)

@@ -1,7 +1,7 @@
 """The compiled summary of designs: one pass over the points of each, in lanes, without arrays of points.
 
-Points are Clenshaw-Curtis nodes: they include the edges, where extremes often lie, and carry the weights of a quadrature
-that converges as fast as Gauss's on smooth integrands (Trefethen 2008).
+Points are Clenshaw-Curtis nodes: they include the edges, where extremes often lie, and carry the weights of a
+quadrature that converges as fast as Gauss's on smooth integrands (Trefethen 2008).
 """
 
 from functools import cache
@@ -54,7 +54,7 @@ class Summariser(Protocol):
 
 
 def clenshaw_curtis(count: int) -> tuple[FloatArray, FloatArray]:
-    """Return ``count`` nodes on [0, 1], both ends included, and their weights, which sum to 1 (Clenshaw and Curtis 1960)."""
+    """Return ``count`` nodes on [0, 1], ends included, and weights that sum to 1 (Clenshaw and Curtis 1960)."""
     angle = np.pi * np.arange(count) / (count - 1)
     degree = np.arange(count)
     # Integrals of the Chebyshev polynomials over [-1, 1]: 2 / (1 - k²) for even k.
@@ -153,9 +153,9 @@ def _reduce(lanes: FloatArray, row: FloatArray) -> None:
 def summariser(size: int, block: int) -> Summariser:
     """Return the compiled summary for surfaces of ``size`` rows and at most ``block`` points in v.
 
-    ``rows`` (1 + p, nu, 9 size) and ``blend`` (1 + p, 3 size block) are the parts of ``affine.Parts``, ``weights`` (n, p);
-    ``wu`` (nu,) and ``wv`` (block,) quadrature weights, zero where v is padding; ``singular`` and ``flat`` as shares of the
-    size; ``out`` (n, columns).
+    ``rows`` (1 + p, nu, 9 size) and ``blend`` (1 + p, 3 size block) are the parts of ``affine.Parts``, ``weights``
+    (n, p); ``wu`` (nu,) and ``wv`` (block,) quadrature weights, zero where v is padding; ``singular`` and ``flat`` as
+    shares of the size; ``out`` (n, columns).
     """
 
     @loop

@@ -1,0 +1,119 @@
+"""Parallel coordinates of a sweep: one vertical axis a column, one line a design (Inselberg 1985)."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from matplotlib import colormaps
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.collections import LineCollection
+from matplotlib.figure import Figure
+
+from quintrig.arrays import FloatArray
+from quintrig.figure.palette import INK
+from quintrig.quantity import BY_KEY
+from quintrig.sweep.part import column_unit
+
+_MOST = 2000  # lines: more are one dark mass
+_SHOWN = (
+    "gaussian_min",
+    "gaussian_max",
+    "mean_min",
+    "mean_max",
+    "curvedness_max",
+    "area",
+    "bending_energy",
+    "thin_plate_energy",
+)
+_NAMES = {
+    "alpha": r"$\alpha$",
+    "zeta": r"$\zeta$",
+    **{f"{name}{i}": rf"$\{name}_{i}$" for name in ("alpha", "zeta") for i in (1, 2)},
+    "scale": r"$\lambda$",
+    "area": "area",
+    "bending_energy": "bending\nenergy",
+    "thin_plate_energy": "thin-plate\nenergy",
+}
+
+
+def parallel_coordinates(
+    rows: Mapping[str, FloatArray], parameters: Sequence[str], *, best: str = "", unit: str = ""
+) -> Figure:
+    """Return parallel coordinates of designs, coloured by the column ``best`` or else by the bending energy.
+
+    ``rows`` holds columns (n,) by name, the varied ``parameters`` among them. Of more than 2000 designs, evenly
+    spaced ones of the given order are drawn, and the title says so. Raises ValueError where there are no designs.
+    """
+    total = len(next(iter(rows.values())))
+    if total == 0:
+        raise ValueError("no design meets the condition, so there is nothing to draw; relax it")
+    chosen = np.unique(np.linspace(0, total - 1, min(total, _MOST)).astype(int))
+    colour = best or "bending_energy"
+    shown = dict.fromkeys((*_SHOWN, colour))
+    names = [*parameters, *(name for name in shown if name in rows and name not in parameters)]
+    heights: list[FloatArray] = []
+    figure = Figure(figsize=(1.0 + 1.0 * len(names), 4.6))
+    FigureCanvasAgg(figure)
+    page: Any = figure  # matplotlib leaves the types of keyword arguments open
+    axes: Any = page.add_axes((0.06, 0.16, 0.82, 0.6))
+    for place, name in enumerate(names):
+        low, high, height = _scaled(rows[name][chosen])
+        heights.append(height)
+        axes.axvline(place, color=INK, lw=0.8, zorder=3)
+        for y, value, side in ((0.0, low, "top"), (1.0, high, "bottom")):
+            offset = -0.02 if side == "top" else 0.02
+            axes.text(place, y + offset, f"{value:.4g}", ha="center", va=side, fontsize=7.5, color=INK)
+        axes.text(place, 1.11, _label(name, unit), ha="center", va="bottom", fontsize=8.5, color=INK)
+    lines = np.stack(
+        [np.tile(np.arange(len(names), dtype=float), (len(chosen), 1)), np.stack(heights, axis=1)], axis=-1
+    )
+    whole = np.isfinite(lines).all(axis=(1, 2))
+    scale = np.nan_to_num(heights[names.index(colour)], nan=1.0)
+    # The best are drawn last, on top, and darkest.
+    order = np.argsort(-scale[whole], kind="stable")
+    shades = colormaps["viridis"](0.92 * scale[whole][order])
+    opacity = float(np.clip(60.0 / max(1, whole.sum()), 0.08, 0.8))
+    axes.add_collection(
+        LineCollection(list(lines[whole][order]), colors=shades, linewidths=0.9, alpha=opacity, zorder=2)
+    )
+    axes.set(xlim=(-0.3, len(names) - 0.7), ylim=(-0.02, 1.02))
+    axes.axis("off")
+    _colour_key(page, colour, rows[colour][chosen])
+    page.text(0.06, 0.955, _title(total, len(chosen), int((~whole).sum())), fontsize=11, color=INK, va="center")
+    return figure
+
+
+def _scaled(values: FloatArray) -> tuple[float, float, FloatArray]:
+    """Return the least and greatest value, and all of them from 0 to 1."""
+    finite = values[np.isfinite(values)]
+    if not finite.size:
+        return np.nan, np.nan, np.full_like(values, np.nan)
+    low, high = float(finite.min()), float(finite.max())
+    return low, high, (values - low) / (high - low) if high > low else np.where(np.isfinite(values), 0.5, np.nan)
+
+
+def _label(name: str, unit: str) -> str:
+    """Return the heading of an axis, with its unit in brackets."""
+    key, _, what = name.rpartition("_")
+    if key in BY_KEY:
+        text = f"{ {'min': 'least', 'max': 'greatest', 'mean': 'mean'}[what] }\n${BY_KEY[key].latex}$"
+    else:
+        text = _NAMES.get(name, name.replace("_", " "))
+    measure = column_unit(name, unit)
+    return f"{text}\n({measure})" if measure else text
+
+
+def _colour_key(page: Any, name: str, values: FloatArray) -> None:
+    """Draw the colour bar at the right."""
+    low, high, _ = _scaled(values)
+    bar: Any = page.add_axes((0.915, 0.16, 0.012, 0.6))
+    bar.imshow(np.linspace(0, 0.92, 128)[:, None], aspect="auto", origin="lower", cmap="viridis", vmin=0, vmax=1)
+    bar.set_xticks([])
+    bar.yaxis.tick_right()
+    bar.set_yticks([0, 127], [f"{low:.4g}", f"{high:.4g}"], fontsize=7.5)
+    bar.set_title(name.replace("_", "\n"), fontsize=8.5, color=INK)
+
+
+def _title(total: int, drawn: int, left_out: int) -> str:
+    text = f"{total:,} designs" if drawn == total else f"{drawn:,} of {total:,} designs, evenly chosen"
+    return text + (f"; {left_out:,} with an undefined value left out" if left_out else "")
