@@ -1,0 +1,192 @@
+"""Whole figures that compare: surfaces side by side on one scale, three projections, surfaces laid over each other."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+from matplotlib.colors import to_rgb
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from quintrig.classify import Thresholds
+from quintrig.figure.camera import BACK, SIDE, TOP
+from quintrig.figure.field import common_limits, facet_fields
+from quintrig.figure.flat import draw_colours, draw_map, draw_marks, dress, lines_note, map_axes, map_fields
+from quintrig.figure.frame import panel_size, point_length
+from quintrig.figure.legend import draw_class_list, draw_key, key_height, list_height
+from quintrig.figure.palette import SERIES
+from quintrig.figure.scene import Box, Mark, Scene, bounds, share_outside
+from quintrig.figure.sheet import sheet
+from quintrig.figure.space import draw_space
+from quintrig.figure.whole import panel_title, several
+from quintrig.figure.wording import note
+from quintrig.surface import Surface
+
+
+def comparison(
+    surfaces: Sequence[Surface],
+    titles: Sequence[str],
+    key: str | None = "gaussian",
+    scene: Scene | None = None,
+    *,
+    title: str = "",
+    unit: str = "",
+    thresholds: Thresholds | None = None,
+    columns: int = 0,
+    width: float = 9.0,
+) -> Figure:
+    """Return several surfaces side by side, such as one with several shape parameters, coloured by a quantity or plain.
+
+    All have one scale of length and one of colour. ``columns`` 0 chooses: 2 for four surfaces, else up to 3.
+    """
+    scene = scene or Scene()
+    columns = max(1, min(columns or (2 if len(surfaces) == 4 else 3), len(surfaces)))
+    fields = facet_fields(surfaces, key, scene.cells, thresholds)
+    stretch = common_limits(fields)
+    box = _union([bounds([surface], scene) for surface in surfaces])
+    each = (width - 0.2 - 0.12 * (columns - 1)) / columns
+    page = sheet(
+        len(surfaces),
+        panel_size(scene.view, *box, each, scene.frame),
+        columns=columns,
+        titles=titles,
+        title=title or panel_title(key),
+        note=note(surfaces, fields, unit, thresholds, share_outside(surfaces, box)),
+        key="below" if fields else "none",
+        key_size=key_height([fields], width - 0.2),
+    )
+    for index, surface in enumerate(surfaces):
+        here = fields[index : index + 1]
+        draw_space(page.panels[index].axes(), [surface], scene, fields=here, stretch=stretch, unit=unit, box=box)
+    if fields:
+        draw_key(page.keys[0], fields, stretch, unit)
+    return page.figure
+
+
+def map_comparison(
+    surfaces: Sequence[Surface],
+    titles: Sequence[str],
+    key: str = "gaussian",
+    *,
+    marks: Sequence[Mark] = (),
+    title: str = "",
+    unit: str = "",
+    thresholds: Thresholds | None = None,
+    columns: int = 4,
+    width: float = 9.0,
+) -> Figure:
+    """Return maps over (u, v) of one quantity on several surfaces, side by side on one scale of colour."""
+    columns = max(1, min(columns, len(surfaces)))
+    fields = map_fields(surfaces, key, thresholds=thresholds)
+    stretch = common_limits(fields)
+    side = (width - 0.2 - 0.12 * (columns - 1)) / columns
+    page = sheet(
+        len(surfaces),
+        (side, side),
+        columns=columns,
+        titles=titles,
+        title=title or panel_title(key),
+        note="; ".join(part for part in (note(surfaces, fields, unit, thresholds), lines_note(fields)) if part),
+        key="below",
+        key_size=key_height([fields], width - 0.2),
+    )
+    for area, surface, f in zip(page.panels, surfaces, fields, strict=True):
+        draw_map(map_axes(area), surface, f, stretch, marks)
+    draw_key(page.keys[0], fields, stretch, unit)
+    return page.figure
+
+
+def code_map(
+    codes: NDArray[np.integer],
+    names: Sequence[str],
+    colours: Sequence[str],
+    *,
+    marks: Sequence[Mark] = (),
+    title: str = "",
+    note: str = "",
+    width: float = 5.0,
+) -> Figure:
+    """Return a map over (u, v) of any codes 0, 1, ... (n, m), first index along u, at the middles of equal cells.
+
+    It serves where the codes are no quantity of the table, such as where two classifications agree.
+    """
+    rgb = np.array([to_rgb(colour) for colour in colours])
+    side = width - 0.2
+    seen = sorted({int(code) for code in np.unique(codes)})
+    shown = [names[code] for code in seen]
+    page = sheet(1, (side, side), title=title, note=note, key="below", key_size=list_height(shown, side))
+    axes = map_axes(page.panels[0])
+    draw_colours(axes, rgb[np.asarray(codes, dtype=np.intp)])
+    draw_marks(axes, marks)
+    dress(axes)
+    draw_class_list(page.keys[0], "", shown, [colours[code] for code in seen])
+    return page.figure
+
+
+def projections(
+    surfaces: Surface | Sequence[Surface],
+    key: str | None = None,
+    scene: Scene | None = None,
+    *,
+    title: str = "",
+    unit: str = "",
+    thresholds: Thresholds | None = None,
+    width: float = 9.0,
+) -> Figure:
+    """Return the side, back and top views of a surface at one scale, as the thesis's figures 4.35 to 4.38.
+
+    The side view looks along +y, the back view along -x, the top view along -z.
+    """
+    patches = several(surfaces)
+    scene = scene or Scene(isolines=7)
+    fields = facet_fields(patches, key, scene.cells, thresholds)
+    stretch = common_limits(fields)
+    views = [replace(scene, view=view) for view in (SIDE, BACK, TOP)]
+    box = bounds(patches, scene)
+    each = (width - 0.44) / 3
+    panel = (each, max(panel_size(view.view, *box, each, view.frame)[1] for view in views))
+    page = sheet(
+        3,
+        panel,
+        titles=[view.view.name[:1].upper() + view.view.name[1:] for view in views],
+        title=title,
+        note=note(patches, fields, unit, thresholds, share_outside(patches, box)),
+        key="below" if fields else "none",
+        key_size=key_height([fields], width),
+    )
+    room = (72.0 * panel[0], 72.0 * panel[1])
+    point = max(point_length(view.view, *box, room, view.frame) for view in views)
+    for area, view in zip(page.panels, views, strict=True):
+        draw_space(area.axes(), patches, view, fields=fields, stretch=stretch, unit=unit, box=box, point=point)
+    if fields:
+        draw_key(page.keys[0], fields, stretch, unit)
+    return page.figure
+
+
+def overlay(
+    surfaces: Sequence[Surface],
+    labels: Sequence[str],
+    scene: Scene | None = None,
+    *,
+    title: str = "",
+    unit: str = "",
+    width: float = 5.0,
+) -> Figure:
+    """Return several surfaces in one space, each translucent in its own colour, as the thesis's figures 2.4 and 2.5.
+
+    The net of the scene is the first surface's.
+    """
+    scene = scene or Scene()
+    colours = [SERIES[i % len(SERIES)] for i in range(len(surfaces))]
+    box = bounds(surfaces, scene)
+    panel = panel_size(scene.view, *box, width - 0.2, scene.frame)
+    text = note(surfaces, (), unit, None, share_outside(surfaces, box))
+    page = sheet(1, panel, title=title, note=text, key="below", key_size=list_height(labels, width))
+    draw_space(page.panels[0].axes(), surfaces, scene, colours=colours, opacity=0.6, unit=unit, box=box)
+    draw_class_list(page.keys[0], "", labels, colours)
+    return page.figure
+
+
+def _union(boxes: Sequence[Box]) -> Box:
+    lows, highs = zip(*boxes, strict=True)
+    return np.min(lows, axis=0), np.max(highs, axis=0)

@@ -1,0 +1,113 @@
+"""A quantity on a grid of a surface, ready to be coloured; its natural size, and the lines where it vanishes."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from contourpy import LineType, contour_generator
+from numpy.typing import NDArray
+
+from quintrig.arrays import FloatArray
+from quintrig.classify import Thresholds
+from quintrig.figure.palette import NOISE, Limits, class_colours, limits, real_colours
+from quintrig.quantity import Quantity, quantity
+from quintrig.sample import Sample, analyse
+from quintrig.surface import Surface
+
+
+@dataclass(frozen=True, eq=False)
+class Field:
+    """Values (n, m) of one quantity at ``u`` (n,) and ``v`` (m,), and its natural ``scale`` on the surface.
+
+    What is within ``noise`` (n, m) of zero is rounding.
+    """
+
+    quantity: Quantity
+    u: FloatArray
+    v: FloatArray
+    values: NDArray[Any]
+    scale: float
+    noise: FloatArray
+
+    @property
+    def undefined(self) -> NDArray[np.bool_]:
+        """True where the value is NaN or infinite, or the class is code 0."""
+        return self.values == 0 if self.quantity.colour == "classes" else ~np.isfinite(self.values)
+
+    def colours(self, stretch: Limits | None) -> FloatArray:
+        """Return RGB colours, shape (n, m, 3), of a real quantity between the limits, its own where None."""
+        if self.quantity.colour == "classes":
+            return class_colours(self.values, self.quantity.key)
+        stretch = stretch or limits(self.values, self.quantity, self.scale)
+        return real_colours(self.values, self.quantity, stretch)
+
+
+def field(surface: Surface, key: str, u: FloatArray, v: FloatArray, thresholds: Thresholds | None = None) -> Field:
+    """Compute a quantity on the grid u (n,) x v (m,); ValueError for a key that has no colour."""
+    q = quantity(key)
+    if q.colour == "vector":
+        raise ValueError(f"{key}: a vector cannot be drawn as a colour; choose a number or a class")
+    sample = analyse(surface, u[:, None], v[None, :], tuple(dict.fromkeys((key, "curvedness"))), thresholds=thresholds)
+    scale = natural_scale(sample, q)
+    noise = np.full(sample.shape, scale)
+    if q.power < 0:  # rounding grows with the curvature, as near an edge of regression
+        noise = np.fmax(noise, sample["curvedness"] ** -q.power)
+    return Field(q, u, v, sample[key], scale, NOISE * noise)
+
+
+def facet_fields(
+    surfaces: Sequence[Surface], key: str | None, cells: int = 120, thresholds: Thresholds | None = None
+) -> list[Field]:
+    """Return the quantity at the middle of every facet of each surface; none for ``key`` None.
+
+    A facet with an undefined corner is undefined, so that singular points on the edge are not hidden.
+    """
+    if key is None:
+        return []
+    nodes = np.linspace(0.0, 1.0, cells + 1)
+    centres = 0.5 * (nodes[:-1] + nodes[1:])
+    found: list[Field] = []
+    for surface in surfaces:
+        inner = field(surface, key, centres, centres, thresholds)
+        corner = field(surface, key, nodes, nodes, thresholds).undefined
+        bad = corner[:-1, :-1] | corner[1:, :-1] | corner[1:, 1:] | corner[:-1, 1:]
+        nothing = 0 if inner.quantity.colour == "classes" else np.nan
+        values = np.where(bad, nothing, inner.values).astype(inner.values.dtype)
+        found.append(Field(inner.quantity, inner.u, inner.v, values, inner.scale, inner.noise))
+    return found
+
+
+def natural_scale(sample: Sample, q: Quantity) -> float:
+    """Return the size against which rounding of a quantity is judged, in its own unit.
+
+    1/length is the surface's largest curvedness (98th percentile), at least 1/size; length is the size. ``sample`` must
+    hold the curvedness.
+    """
+    if q.power == 0 or not sample.size > 0.0:
+        return 1.0
+    if q.power > 0:
+        return sample.size**q.power
+    bend = sample["curvedness"]
+    bend = bend[np.isfinite(bend)]
+    largest = float(np.percentile(bend, 98.0)) if bend.size else 0.0
+    return max(largest, 1.0 / sample.size) ** -q.power
+
+
+def common_limits(fields: Sequence[Field]) -> Limits | None:
+    """Return one stretch for all fields of one real quantity; None for classes, whose colours are fixed."""
+    if not fields or fields[0].quantity.colour == "classes":
+        return None
+    return limits([f.values for f in fields], fields[0].quantity, max(f.scale for f in fields))
+
+
+def zero_lines(f: Field) -> list[FloatArray]:
+    """Return the lines (n, 2) in (u, v) where a real quantity changes its sign; none where it is only rounding."""
+    values = np.asarray(f.values, dtype=np.float64)
+    # A zero that is exact, or rounding, counts as positive: a line appears only beside true negative values.
+    signed = np.where(np.abs(values) <= f.noise, f.noise, values)
+    if not np.any(signed < 0.0) or not np.any(signed > 0.0):
+        return []
+    masked = np.ma.masked_invalid(np.where(np.isfinite(signed), signed, np.nan))
+    drawn = contour_generator(f.v, f.u, masked, line_type=LineType.Separate).lines(0.0)
+    return [np.asarray(line, dtype=np.float64)[:, ::-1] for line in drawn]

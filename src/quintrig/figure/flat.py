@@ -1,0 +1,124 @@
+"""Maps over the (u, v) square: a quantity or a classification, its zero lines, labelled points."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from matplotlib import patheffects
+
+from quintrig.arrays import FloatArray
+from quintrig.classify import Thresholds
+from quintrig.figure.edge import regression_parameters
+from quintrig.figure.field import Field, facet_fields, field, zero_lines
+from quintrig.figure.palette import INK, REGRESSION, UNDEFINED, Limits
+from quintrig.figure.scene import Mark
+from quintrig.figure.sheet import Area, Axes
+from quintrig.surface import Surface
+
+_SIZE = 7.5
+_LINES = {"gaussian": "solid line: K = 0", "mean": "dashed line: H = 0"}
+_COMPANIONS = {"gaussian": ("gaussian", "mean"), "mean": ("gaussian", "mean"), "shape_index": ("gaussian", "mean")}
+
+
+def map_fields(
+    surfaces: Sequence[Surface], key: str, cells: int = 240, thresholds: Thresholds | None = None
+) -> list[Field]:
+    """Return the quantity at the middle of every cell of the (u, v) square, for each surface."""
+    return facet_fields(surfaces, key, cells, thresholds)
+
+
+def draw_map(
+    axes: Axes,
+    surface: Surface,
+    f: Field,
+    stretch: Limits | None = None,
+    marks: Sequence[Mark] = (),
+    zeros: bool = True,
+) -> None:
+    """Draw a quantity over (u, v): u to the right, v up.
+
+    ``zeros`` adds the lines K = 0 (solid) and H = 0 (dashed) to maps of K, H and S, and to others with a sign their
+    own zero line. Undefined cells are grey, single undefined points on the edge have a grey mark.
+    """
+    axes.set_xlim(0.0, 1.0)
+    axes.set_ylim(0.0, 1.0)
+    draw_colours(axes, f.colours(stretch))
+    _undefined(axes, f)
+    for key in zero_keys(f) if zeros else ():
+        nodes = np.linspace(0.0, 1.0, 241)
+        for line in zero_lines(field(surface, key, nodes, nodes)):
+            style = (0, (4, 2)) if key == "mean" else "solid"
+            axes.plot(line[:, 0], line[:, 1], color=INK, linewidth=0.9, linestyle=style, zorder=3)
+    for line in regression_parameters(surface):
+        axes.plot(line[:, 0], line[:, 1], color=REGRESSION, linewidth=1.5, zorder=4)
+    draw_marks(axes, marks)
+    dress(axes)
+
+
+def map_axes(area: Area) -> Axes:
+    """Return axes for a map in an area, with room for the numbers."""
+    return area.inside(0.42, 0.32, area.width - 0.48, area.height - 0.38)
+
+
+def lines_note(fields: Sequence[Field]) -> str:
+    """Return what the lines on maps mean, empty where there are none."""
+    keys = {key for f in fields for key in zero_keys(f)}
+    lines = [words for key, words in _LINES.items() if key in keys]
+    return "; ".join(lines)
+
+
+def zero_keys(f: Field) -> tuple[str, ...]:
+    """Return the quantities whose zero lines belong on a map."""
+    own = (f.quantity.key,) if f.quantity.colour == "diverging" else ()
+    return _COMPANIONS.get(f.quantity.key, own)
+
+
+def draw_colours(axes: Axes, colours: FloatArray) -> None:
+    """Draw cells (n, m, 3) of colours over the square, the first index along u."""
+    picture = np.ascontiguousarray(colours.transpose(1, 0, 2))
+    axes.imshow(
+        picture,
+        origin="lower",
+        extent=(0.0, 1.0, 0.0, 1.0),
+        interpolation="nearest",
+        aspect="equal",
+        zorder=1,
+        rasterized=True,
+    )
+
+
+def draw_marks(axes: Axes, marks: Sequence[Mark]) -> None:
+    """Draw labelled points."""
+    for mark in marks:
+        axes.scatter(mark.u, mark.v, s=14, facecolor=INK, edgecolor="white", linewidth=0.7, zorder=5, clip_on=False)
+        right, up = mark.u < 0.85, mark.v < 0.85
+        axes.annotate(
+            mark.label,
+            xy=(mark.u, mark.v),
+            xytext=(4.0 if right else -4.0, 4.0 if up else -4.0),
+            textcoords="offset points",
+            ha="left" if right else "right",
+            va="bottom" if up else "top",
+            fontsize=8.5,
+            color=INK,
+            path_effects=[patheffects.withStroke(linewidth=2.0, foreground="white", alpha=0.85)],
+            zorder=6,
+        )
+
+
+def dress(axes: Axes) -> None:
+    """Give a map its ticks and the names u and v."""
+    ticks = [0.0, 0.25, 0.5, 0.75, 1.0]
+    axes.set_xticks(ticks, ["0", "", "0.5", "", "1"], fontsize=_SIZE, color=INK)
+    axes.set_yticks(ticks, ["0", "", "0.5", "", "1"], fontsize=_SIZE, color=INK)
+    axes.tick_params(length=2.5, width=0.5, color="#8a8a8a", pad=2.0)
+    axes.set_xlabel("$u$", fontsize=_SIZE + 1.5, color=INK, labelpad=1.0)
+    axes.set_ylabel("$v$", fontsize=_SIZE + 1.5, color=INK, labelpad=5.0, rotation=0, va="center")
+    for spine in axes.spines.values():
+        spine.set(linewidth=0.6, edgecolor="#8a8a8a")
+
+
+def _undefined(axes: Axes, f: Field) -> None:
+    """Mark undefined cells, so that a line of singular points on the edge is wide enough to be seen."""
+    i, j = np.nonzero(f.undefined)
+    if 0 < len(i) <= 4 * len(f.u):
+        axes.scatter(f.u[i], f.v[j], s=4.0, marker="s", color=UNDEFINED, linewidth=0.0, zorder=2)

@@ -1,0 +1,69 @@
+"""Figures to bytes and files: PNG, SVG and PDF, the same bytes each time from the same figure."""
+
+import io
+import threading
+from pathlib import Path
+from typing import Any
+
+import matplotlib
+from matplotlib.figure import Figure
+
+from quintrig.errors import QuintrigError
+from quintrig.files import write_whole
+
+KINDS = ("png", "svg", "pdf")
+"""Kinds of file, by suffix."""
+
+DPI = 200
+"""Dots per inch of PNG files and of the shaded surfaces inside SVG and PDF."""
+
+_UNDATED: dict[str, dict[str, None]] = {
+    "png": {"Software": None},
+    "svg": {"Date": None},
+    "pdf": {"CreationDate": None},
+}
+
+# Identifiers in SVG are set through matplotlib's global settings, which are not safe to change from two threads.
+_ONE_AT_A_TIME = threading.Lock()
+
+
+def save(figure: Figure, path: str | Path, dpi: int = DPI) -> Path:
+    """Write a figure to a file, whole or not at all, in the kind its suffix names.
+
+    Raises QuintrigError for another suffix, or where the file cannot be written.
+    """
+    kind = kind_of(path)
+    return write_whole(path, to_bytes(figure, kind, dpi))
+
+
+def kind_of(path: str | Path) -> str:
+    """Return the kind of file a suffix names; QuintrigError for one that is not known."""
+    suffix = Path(path).suffix.lower()
+    if suffix.removeprefix(".") not in KINDS:
+        found = f"the suffix {suffix!r}" if suffix else "no suffix"
+        raise QuintrigError(
+            f"{path}: expected a file name ending in .png, .svg or .pdf, found {found}; choose one of the three"
+        )
+    return suffix.removeprefix(".")
+
+
+def to_bytes(figure: Figure, kind: str, dpi: int = DPI) -> bytes:
+    """Return a figure as a file's content; ``kind`` is png, svg or pdf."""
+    if kind not in KINDS:
+        raise ValueError(f"kind: expected png, svg or pdf, found {kind!r}")
+    buffer = io.BytesIO()
+    drawn: Any = figure  # its stubs leave arguments untyped
+    library: Any = matplotlib
+    with _ONE_AT_A_TIME, library.rc_context({"svg.hashsalt": "quintrig", "svg.fonttype": "path"}):
+        drawn.savefig(buffer, format=kind, dpi=dpi, metadata=_UNDATED[kind])
+    return buffer.getvalue()
+
+
+def to_png_bytes(figure: Figure, dpi: int = DPI) -> bytes:
+    """Return a figure as PNG."""
+    return to_bytes(figure, "png", dpi)
+
+
+def to_svg_text(figure: Figure, dpi: int = DPI) -> str:
+    """Return a figure as SVG text, its surfaces as pictures of ``dpi``, its text as outlines."""
+    return to_bytes(figure, "svg", dpi).decode()

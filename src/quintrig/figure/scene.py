@@ -1,0 +1,99 @@
+"""What a picture in space shows: the view, what is drawn beside the surface, and the box that frames it."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from quintrig.arrays import BoolArray, FloatArray
+from quintrig.figure.camera import ISO, View
+from quintrig.figure.palette import INK
+from quintrig.surface import Surface
+
+Box = tuple[FloatArray, FloatArray]
+"""Lower and upper corner (3,) of what is framed, length¹."""
+
+
+@dataclass(frozen=True)
+class Mark:
+    """A labelled point at parameters u and v."""
+
+    u: float
+    v: float
+    label: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class Trace:
+    """A curve in space, (n, 3), drawn with the surface; ``polygon`` marks its points as control points."""
+
+    points: FloatArray
+    label: str = ""
+    colour: str = INK
+    width: float = 1.6
+    dashed: bool = False
+    polygon: bool = False
+
+
+@dataclass(frozen=True)
+class Scene:
+    """What to draw beside the surface, and from where.
+
+    ``cells`` is the number of facets a side (with 120 no facet's middle is at a simple fraction, where a symmetric
+    surface may have zeros), ``isolines`` the number of parameter lines inside, each way. ``zeros`` draws where the
+    quantity shown changes its sign, ``normal`` an arrow, ``regression`` the edge of regression where it lies inside.
+    """
+
+    view: View = ISO
+    net: bool = False
+    isolines: int = 0
+    marks: tuple[Mark, ...] = ()
+    traces: tuple[Trace, ...] = ()
+    zeros: bool = True
+    normal: bool = False
+    regression: bool = True
+    frame: bool = True
+    cells: int = 120
+
+
+def mesh_points(surface: Surface, cells: int) -> FloatArray:
+    """Return points at the corners of cells x cells facets, shape (cells + 1, cells + 1, 3), length¹."""
+    t = np.linspace(0.0, 1.0, cells + 1)
+    return surface(t[:, None], t[None, :])
+
+
+def bounds(surfaces: Sequence[Surface], scene: Scene) -> Box:
+    """Return the corners (3,) of the box around everything drawn.
+
+    A surface that runs off towards infinity, as a developable can, is cut: see ``share_outside``.
+    """
+    clouds = [_robust(mesh_points(surface, 60).reshape(-1, 3)) for surface in surfaces]
+    clouds += [surface.net.reshape(-1, 3) for surface in surfaces if scene.net and surface.net is not None]
+    clouds += [trace.points for trace in scene.traces]
+    if not clouds:
+        return np.zeros(3), np.ones(3)
+    cloud = np.concatenate(clouds)
+    return np.nanmin(cloud, axis=0), np.nanmax(cloud, axis=0)
+
+
+def share_outside(surfaces: Sequence[Surface], box: Box) -> float:
+    """Return the share of the (u, v) squares that lies outside the box and is not drawn, 0 to 1."""
+    within = [inside(mesh_points(surface, 60), box) for surface in surfaces]
+    return 1.0 - float(np.mean(np.concatenate(within))) if within else 0.0
+
+
+def _robust(points: FloatArray) -> FloatArray:
+    """Return the corners (2, 3) of the box of the points, or of the bulk of them where a few lie far away."""
+    low, high = np.nanmin(points, axis=0), np.nanmax(points, axis=0)
+    first, last = np.nanpercentile(points, (10.0, 90.0), axis=0)
+    if np.linalg.norm(high - low) <= 8.0 * np.linalg.norm(last - first):
+        return np.stack([low, high])
+    rim = 0.5 * (last - first)
+    return np.stack([np.maximum(low, first - rim), np.minimum(high, last + rim)])
+
+
+def inside(points: FloatArray, box: Box) -> BoolArray:
+    """Return which points (..., 3) lie in the box, to a small tolerance."""
+    slack = 0.02 * float(np.linalg.norm(box[1] - box[0]))  # the box comes from fewer points
+    fits: BoolArray = np.all((points >= box[0] - slack) & (points <= box[1] + slack), axis=-1)
+    return fits

@@ -1,0 +1,104 @@
+"""From surfaces and lines to flat pieces of paint, sorted by depth so that near ones cover far ones."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.colors import to_rgb
+
+from quintrig.arrays import BoolArray, FloatArray
+from quintrig.figure.camera import View
+from quintrig.figure.palette import BACK, FRONT
+
+_LIGHT = np.array([-0.42, 0.55, 0.72]) / np.linalg.norm([-0.42, 0.55, 0.72])  # from the upper left, before the picture
+_HALFWAY = _LIGHT + np.array([0.0, 0.0, 1.0])
+_GLOSS = _HALFWAY / np.linalg.norm(_HALFWAY)
+
+
+@dataclass(frozen=True, eq=False)
+class Paint:
+    """Quads of the picture: corners (n, 4, 2), fill and edge RGBA (n, 4), edge widths (n,) in points, depths (n,)."""
+
+    corners: FloatArray
+    fill: FloatArray
+    edge: FloatArray
+    width: FloatArray
+    depth: FloatArray
+
+
+def joined(paints: Sequence[Paint]) -> Paint:
+    """Return all pieces in one, the farthest first."""
+    parts = [p for p in paints if len(p.depth)] or [nothing()]
+    order = np.argsort(np.concatenate([p.depth for p in parts]), kind="stable")
+    return Paint(
+        np.concatenate([p.corners for p in parts])[order],
+        np.concatenate([p.fill for p in parts])[order],
+        np.concatenate([p.edge for p in parts])[order],
+        np.concatenate([p.width for p in parts])[order],
+        np.concatenate([p.depth for p in parts])[order],
+    )
+
+
+def facets(
+    points: FloatArray, view: View, colours: FloatArray | None, sign: float, darkest: float, inside: BoolArray
+) -> Paint:
+    """Return the quads of a grid of points (n + 1, m + 1, 3), lit from the upper left.
+
+    ``colours`` (n, m, 3) are dimmed down to ``darkest`` where the light grazes; None paints the side of the normal
+    and the back in two colours. ``sign`` is the surface's; facets with no corner ``inside`` (n + 1, m + 1) are left
+    out.
+    """
+    seen = view.project(points)
+    corners = np.stack([seen[:-1, :-1], seen[1:, :-1], seen[1:, 1:], seen[:-1, 1:]], axis=2)
+    normal = np.cross(corners[:, :, 2] - corners[:, :, 0], corners[:, :, 3] - corners[:, :, 1])
+    length = np.sqrt((normal**2).sum(axis=-1, keepdims=True))
+    normal = np.where(length > 0.0, normal / np.where(length > 0.0, length, 1.0), [0.0, 0.0, 1.0])
+    facing = np.where(normal[..., 2:] < 0.0, -1.0, 1.0)
+    light = np.clip((facing * normal) @ _LIGHT, 0.0, 1.0)[..., None]
+    if colours is None:
+        front = sign * facing > 0.0
+        colours = np.where(front, np.array(to_rgb(FRONT)), np.array(to_rgb(BACK)))
+    lit = np.clip(colours * (darkest + (1.05 - darkest) * light), 0.0, 1.0)
+    gloss = 0.13 * np.clip((facing * normal) @ _GLOSS, 0.0, 1.0)[..., None] ** 24
+    lit = lit + gloss * (1.0 - lit)
+    keep = inside[:-1, :-1] | inside[1:, :-1] | inside[1:, 1:] | inside[:-1, 1:]
+    rgba = np.concatenate([lit, np.ones((*lit.shape[:2], 1))], axis=-1)[keep]
+    flat = corners[keep]
+    width = np.full(len(flat), 0.4)  # thin edges in the colour of the face close the hairlines between neighbours
+    return Paint(flat[..., :2], rgba, rgba, width, flat[..., 2].mean(axis=1))
+
+
+def strokes(
+    line: FloatArray, view: View, colour: str, width: float, step: float, bias: float, dashed: bool = False
+) -> Paint:
+    """Return a line (n, 3), broken at NaN, as strokes of about ``step``, moved ``bias`` towards the camera.
+
+    Dashes are two steps long, with one left out between.
+    """
+    seen = view.project(line)
+    starts, ends = seen[:-1], seen[1:]
+    whole = np.isfinite(starts).all(axis=1) & np.isfinite(ends).all(axis=1)
+    starts, ends = starts[whole], ends[whole]
+    lengths = np.sqrt(((ends - starts)[:, :2] ** 2).sum(axis=1))
+    if not lengths.sum() > 0.0:
+        return nothing()
+    # Long segments are cut in equal parts; short ones stay whole, so that every given point is kept.
+    parts = np.maximum(np.rint(lengths / step), 1).astype(np.intp)
+    which = np.repeat(np.arange(len(parts)), parts)
+    first = (np.arange(len(which)) - np.repeat(np.cumsum(parts) - parts, parts)) / parts[which]
+    last = first + 1.0 / parts[which]
+    a = starts[which] + first[:, None] * (ends - starts)[which]
+    b = starts[which] + last[:, None] * (ends - starts)[which]
+    if dashed:
+        along = (np.cumsum(lengths) - lengths)[which] + 0.5 * (first + last) * lengths[which]
+        keep = (along / step) % 3.0 < 2.0
+        a, b = a[keep], b[keep]
+    corners = np.stack([a, b, b, a], axis=1)
+    rgba = np.tile([*to_rgb(colour), 1.0], (len(corners), 1))
+    depth = 0.5 * (a[:, 2] + b[:, 2]) + bias
+    return Paint(corners[..., :2], np.zeros_like(rgba), rgba, np.full(len(corners), width), depth)
+
+
+def nothing() -> Paint:
+    """Return no paint."""
+    return Paint(np.zeros((0, 4, 2)), np.zeros((0, 4)), np.zeros((0, 4)), np.zeros(0), np.zeros(0))

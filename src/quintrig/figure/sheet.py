@@ -1,0 +1,123 @@
+"""The page of a figure: panels in rows, room for titles, keys and the note, all in inches so that nothing overlaps."""
+
+import textwrap
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, Literal
+
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+from quintrig.figure.palette import INK
+
+Axes = Any
+"""matplotlib's axes. Its own type leaves keyword arguments untyped, which strict checking refuses."""
+
+KeyPlace = Literal["none", "right", "below", "each"]
+
+_EDGE = 0.1
+_TITLE, _PANEL_TITLE, _NOTE = 11.0, 9.0, 7.5  # font sizes
+
+
+@dataclass(frozen=True)
+class Area:
+    """A rectangle of the page, in inches from its lower left corner."""
+
+    figure: Figure
+    left: float
+    bottom: float
+    width: float
+    height: float
+
+    def axes(self) -> Axes:
+        """Return new axes that fill the area."""
+        return self.inside(0.0, 0.0, self.width, self.height)
+
+    def inside(self, left: float, bottom: float, width: float, height: float) -> Axes:
+        """Return new axes on a part of the area, in inches from its lower left corner."""
+        wide, high = self.figure.get_size_inches()
+        figure: Any = self.figure
+        return figure.add_axes(((self.left + left) / wide, (self.bottom + bottom) / high, width / wide, height / high))
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """A figure with its ``panels`` in reading order and the areas for their ``keys``."""
+
+    figure: Figure
+    panels: tuple[Area, ...]
+    keys: tuple[Area, ...]
+
+
+def sheet(
+    count: int,
+    panel: tuple[float, float],
+    *,
+    columns: int = 3,
+    titles: Sequence[str] = (),
+    title: str = "",
+    note: str = "",
+    key: KeyPlace = "none",
+    key_size: float = 0.55,
+) -> Sheet:
+    """Lay out ``count`` panels of ``panel`` inches.
+
+    ``key`` puts one key to the right or below, or one below each panel; ``key_size`` is its width or height in inches.
+    """
+    columns = max(1, min(columns, count))
+    rows = -(-count // columns)
+    gap = 0.12
+    head = 0.24 if any(titles) else 0.0
+    foot = key_size if key == "each" else 0.0
+    width = columns * panel[0] + (columns - 1) * gap + 2 * _EDGE + (key_size if key == "right" else 0.0)
+    titled, noted = _wrapped(title, width, _TITLE), _wrapped(note, width, _NOTE)
+    top = _EDGE + 0.22 * len(titled) * (_TITLE / 11.0) + (0.05 if titled else 0.0)
+    bottom = _EDGE + 0.145 * len(noted) + (0.05 if noted else 0.0)
+    under = key_size if key == "below" else 0.0
+    height = top + rows * (head + panel[1] + foot) + (rows - 1) * gap + under + bottom
+    figure = new_figure(width, height)
+    _text(figure, _EDGE / width, 1.0 - _EDGE / height, "\n".join(titled), _TITLE, "top", "bold")
+    _text(figure, _EDGE / width, _EDGE / height, "\n".join(noted), _NOTE, "bottom", "normal")
+    panels: list[Area] = []
+    keys: list[Area] = []
+    for index in range(count):
+        row, column = divmod(index, columns)
+        left = _EDGE + column * (panel[0] + gap)
+        ceiling = height - top - row * (head + panel[1] + foot + gap)
+        panels.append(Area(figure, left, ceiling - head - panel[1], *panel))
+        if key == "each":
+            keys.append(Area(figure, left, ceiling - head - panel[1] - foot, panel[0], foot))
+        if index < len(titles):
+            x = (left + 0.5 * panel[0]) / width
+            _text(figure, x, (ceiling - 0.03) / height, titles[index], _PANEL_TITLE, "top", "normal", "center")
+    if key == "right":
+        keys.append(Area(figure, width - _EDGE - key_size, bottom, key_size, height - top - bottom))
+    if key == "below":
+        keys.append(Area(figure, _EDGE, bottom, width - 2 * _EDGE, key_size))
+    return Sheet(figure, tuple(panels), tuple(keys))
+
+
+def new_figure(width: float, height: float) -> Figure:
+    """Return a blank white figure of this size in inches, drawn by Agg, known to no window system."""
+    figure = Figure(figsize=(width, height), dpi=100, facecolor="white")
+    FigureCanvasAgg(figure)
+    return figure
+
+
+def points_wide(axes: Axes) -> tuple[float, float]:
+    """Return the size of axes in printer's points."""
+    width, height = axes.figure.get_size_inches()
+    place = axes.get_position(original=True)
+    return 72.0 * width * place.width, 72.0 * height * place.height
+
+
+def _wrapped(text: str, width: float, size: float) -> list[str]:
+    letters = int((width - 2 * _EDGE) * 72.0 / (0.53 * size))
+    return [line for part in text.splitlines() for line in textwrap.wrap(part, max(letters, 20))]
+
+
+def _text(
+    figure: Any, x: float, y: float, text: str, size: float, anchor: str, weight: str, side: str = "left"
+) -> None:
+    if text:
+        figure.text(x, y, text, fontsize=size, color=INK, va=anchor, ha=side, fontweight=weight, linespacing=1.25)

@@ -1,0 +1,158 @@
+"""Surfaces in space: shaded, coloured by a quantity, with net, iso-lines, labelled points and curves, on given axes."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from matplotlib.collections import PolyCollection
+from matplotlib.colors import to_rgb
+from matplotlib.path import Path
+
+from quintrig.arrays import FloatArray
+from quintrig.figure.edge import regression_lines
+from quintrig.figure.field import Field, field, zero_lines
+from quintrig.figure.frame import Stage, box_outline, draw_frame, set_stage
+from quintrig.figure.markup import STROKE, draw_dots, draw_marks, draw_net, draw_normal
+from quintrig.figure.palette import INK, REGRESSION, Limits
+from quintrig.figure.scene import Box, Scene, bounds, inside, mesh_points
+from quintrig.figure.shade import Paint, facets, joined, strokes
+from quintrig.figure.sheet import Axes
+from quintrig.surface import Surface
+
+_RIM = "#3a3a3a"
+
+
+def draw_space(
+    axes: Axes,
+    surfaces: Sequence[Surface],
+    scene: Scene | None = None,
+    *,
+    fields: Sequence[Field] = (),
+    stretch: Limits | None = None,
+    colours: Sequence[str] = (),
+    opacity: float = 1.0,
+    unit: str = "",
+    box: Box | None = None,
+    point: float | None = None,
+) -> Stage:
+    """Draw surfaces on axes, seen in parallel projection at one scale in all directions.
+
+    ``fields`` (from ``facet_fields``) colour them by a quantity, ``colours`` each in one colour; without either, the
+    side of the normal and the back have two colours. ``box`` fixes what is framed and ``point`` the length¹ of a
+    printer's point, for pictures side by side.
+    """
+    scene = scene or Scene()
+    low, high = box or bounds(surfaces, scene)
+    stage = set_stage(axes, scene.view, low, high, scene.frame, point)
+    if scene.frame:
+        draw_frame(stage, unit)
+    paints: list[Paint] = []
+    meshes: list[FloatArray] = []
+    for index, surface in enumerate(surfaces):
+        f = fields[index] if fields else None
+        colour = colours[index] if colours else ""
+        cells = f.values.shape[0] if f else scene.cells
+        mesh = mesh_points(surface, cells)
+        meshes.append(scene.view.project(mesh))
+        rgb, darkest = _skin(f, stretch, colour, cells)
+        layer = [facets(mesh, scene.view, rgb, surface.sign, darkest, inside(mesh, (low, high)))]
+        lines = _lines_on(surface, mesh, scene, stage, f, colour if opacity < 1.0 else _RIM)
+        if opacity < 1.0:
+            _paint(stage, joined(layer), opacity)
+            paints += lines
+        else:
+            paints += layer + lines
+    for trace in scene.traces:
+        paints.append(
+            strokes(trace.points, scene.view, trace.colour, trace.width, STROKE * stage.point, 0.0, trace.dashed)
+        )
+        if trace.polygon:
+            draw_dots(stage, trace.points, meshes, trace.colour)
+    if scene.net:
+        for surface in surfaces:
+            if surface.net is not None:
+                paints += draw_net(surface.net, stage, meshes)
+    _paint(stage, joined(paints))
+    for surface in surfaces[:1] if scene.normal else ():
+        draw_normal(stage, surface, meshes)
+    if scene.marks and surfaces:
+        draw_marks(stage, surfaces[0], scene.marks, meshes)
+    return stage
+
+
+def _skin(f: Field | None, stretch: Limits | None, colour: str, cells: int) -> tuple[FloatArray | None, float]:
+    """Return the colours of the facets and how dark the shade may be: less where colours must be read."""
+    if f is not None:
+        return f.colours(stretch), 0.8
+    if colour:
+        return np.tile(to_rgb(colour), (cells, cells, 1)), 0.6
+    return None, 0.62
+
+
+def _lines_on(surface: Surface, mesh: FloatArray, scene: Scene, stage: Stage, f: Field | None, rim: str) -> list[Paint]:
+    """Return boundary, iso-lines, zero lines and edge of regression, lifted just clear of the facets."""
+    lift = 1.2 * _facet_size(mesh)
+    step = STROKE * stage.point
+    box = (stage.low, stage.high)
+    t = np.linspace(0.0, 1.0, len(mesh))
+    between = np.linspace(0.0, 1.0, scene.isolines + 2)[1:-1]
+    thin = [surface(np.full_like(t, x), t) for x in between] + [surface(t, np.full_like(t, x)) for x in between]
+    paints = [strokes(_cut(line, box), scene.view, "#6e6e6e", 0.4, step, lift) for line in thin]
+    paints += [strokes(_cut(line, box), scene.view, rim, 0.9, step, lift) for line in _rim(mesh)]
+    if scene.zeros and f is not None and f.quantity.colour == "diverging":
+        dashed = f.quantity.key == "mean"
+        for line in zero_lines(field(surface, f.quantity.key, t, t)):
+            path = _cut(surface(line[:, 0], line[:, 1]), box)
+            paints.append(strokes(path, scene.view, INK, 1.1, step, lift, dashed))
+    if scene.regression:
+        for line in regression_lines(surface):
+            paints.append(strokes(_cut(line, box), scene.view, REGRESSION, 1.8, step, lift))
+    return paints
+
+
+def _cut(line: FloatArray, box: Box) -> FloatArray:
+    """Return a line (n, 3) with NaN outside the box, where it is not drawn, save for the first point beyond."""
+    within = inside(line, box)
+    keep = within.copy()
+    keep[1:] |= within[:-1]
+    keep[:-1] |= within[1:]
+    return np.where(keep[:, None], line, np.nan)
+
+
+def _rim(mesh: FloatArray) -> list[FloatArray]:
+    """Return the edges of the patch, without seams where it closes and points where an edge collapses."""
+    size = float(np.linalg.norm(np.ptp(mesh, axis=(0, 1))))
+    edges: list[FloatArray] = []
+    for first, second in ((mesh[0], mesh[-1]), (mesh[:, 0], mesh[:, -1])):
+        closed = np.abs(first - second).max() <= 1e-9 * size
+        edges += [e for e in (first, second) if not closed and np.ptp(e, axis=0).max() > 1e-9 * size]
+    return edges
+
+
+def _facet_size(mesh: FloatArray) -> float:
+    diagonals = np.sqrt(((mesh[1:, 1:] - mesh[:-1, :-1]) ** 2).sum(axis=-1))
+    return float(np.median(diagonals))
+
+
+def _paint(stage: Stage, paint: Paint, opacity: float = 1.0) -> None:
+    collection = PolyCollection(
+        paint.corners,  # pyright: ignore[reportArgumentType]
+        facecolors=paint.fill,
+        edgecolors=paint.edge,
+        linewidths=paint.width,
+        joinstyle="round",
+        capstyle="round",
+        zorder=2,
+        rasterized=True,
+    )
+    if opacity < 1.0:
+
+        def thin(image: Any, dpi: float) -> tuple[Any, int, int]:
+            return image * [1.0, 1.0, 1.0, opacity], 0, 0
+
+        # A whole opaque picture made translucent: facets that are translucent one by one show their seams.
+        collection.set_agg_filter(thin)
+    stage.axes.add_collection(collection, autolim=False)
+    outline = box_outline(stage)
+    if np.any(paint.corners < outline.min(axis=0)) or np.any(paint.corners > outline.max(axis=0)):
+        collection.set_clip_path(Path(outline), stage.axes.transData)

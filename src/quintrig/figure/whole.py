@@ -1,0 +1,163 @@
+"""Whole figures of one surface, with title, key and note: one picture, one map, panels of several quantities."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from matplotlib.figure import Figure
+
+from quintrig.classify import Thresholds
+from quintrig.figure.field import common_limits, facet_fields
+from quintrig.figure.flat import draw_map, lines_note, map_axes, map_fields
+from quintrig.figure.frame import panel_size
+from quintrig.figure.legend import draw_class_list, draw_key, key_height, key_width
+from quintrig.figure.scene import Mark, Scene, bounds, share_outside
+from quintrig.figure.sheet import KeyPlace, sheet
+from quintrig.figure.space import draw_space
+from quintrig.figure.wording import note, quantity_label
+from quintrig.quantity import quantity
+from quintrig.surface import Surface
+
+
+def space_picture(
+    surfaces: Surface | Sequence[Surface],
+    key: str | None = None,
+    scene: Scene | None = None,
+    *,
+    title: str = "",
+    unit: str = "",
+    thresholds: Thresholds | None = None,
+    width: float = 6.4,
+) -> Figure:
+    """Return one picture in space of a surface, or of several patches, coloured by a quantity or plain.
+
+    On a plain one, the labels of the scene's traces are listed below.
+    """
+    patches = several(surfaces)
+    scene = scene or Scene(normal=key is None)
+    fields = facet_fields(patches, key, scene.cells, thresholds)
+    stretch = common_limits(fields)
+    named = [trace for trace in scene.traces if trace.label]
+    place: KeyPlace = "right" if fields else "below" if named else "none"
+    key_size = 0.4 if place == "below" else key_width(fields)
+    box = bounds(patches, scene)
+    panel = panel_size(scene.view, *box, width - 0.2 - (key_size if place == "right" else 0.0), scene.frame)
+    text = note(patches, fields, unit, thresholds, share_outside(patches, box))
+    page = sheet(1, panel, title=title, note=text, key=place, key_size=key_size)
+    draw_space(page.panels[0].axes(), patches, scene, fields=fields, stretch=stretch, unit=unit, box=box)
+    if fields:
+        draw_key(page.keys[0], fields, stretch, unit)
+    elif named:
+        draw_class_list(page.keys[0], "", [trace.label for trace in named], [trace.colour for trace in named])
+    return page.figure
+
+
+def flat_map(
+    surface: Surface,
+    key: str,
+    *,
+    marks: Sequence[Mark] = (),
+    title: str = "",
+    unit: str = "",
+    thresholds: Thresholds | None = None,
+    width: float = 5.0,
+) -> Figure:
+    """Return one map of a quantity over (u, v)."""
+    fields = map_fields([surface], key, thresholds=thresholds)
+    stretch = common_limits(fields)
+    key_size = key_width(fields)
+    side = width - key_size - 0.2
+    text = _sentence(note([surface], fields, unit, thresholds), lines_note(fields))
+    page = sheet(1, (side, side), title=title, note=text, key="right", key_size=key_size)
+    draw_map(map_axes(page.panels[0]), surface, fields[0], stretch, marks)
+    draw_key(page.keys[0], fields, stretch, unit)
+    return page.figure
+
+
+def panels(
+    surfaces: Surface | Sequence[Surface],
+    keys: Sequence[str | None] = (None, "gaussian", "mean"),
+    scene: Scene | None = None,
+    *,
+    title: str = "",
+    unit: str = "",
+    thresholds: Thresholds | None = None,
+    columns: int = 3,
+    width: float = 9.0,
+) -> Figure:
+    """Return one surface coloured by several quantities, each with its own key; None is the plain surface.
+
+    Without ``keys`` it is the triptych surface, K, H of the thesis's figures 4.3 to 4.32. Net, marks, traces and
+    normal of the scene are drawn on the plain panel only, or on every panel where there is no plain one.
+    """
+    patches = several(surfaces)
+    scene = scene or Scene(normal=None in keys)
+    columns = max(1, min(columns, len(keys)))
+    box = bounds(patches, scene)
+    panel = panel_size(scene.view, *box, (width - 0.2 - 0.12 * (columns - 1)) / columns, scene.frame)
+    every = [facet_fields(patches, key, scene.cells, thresholds) for key in keys]
+    drawn = [f for fields in every for f in fields]
+    page = sheet(
+        len(keys),
+        panel,
+        columns=columns,
+        titles=[panel_title(key) for key in keys],
+        title=title,
+        note=note(patches, drawn, unit, thresholds, share_outside(patches, box)),
+        key="each" if drawn else "none",
+        key_size=key_height(every, panel[0]),
+    )
+    bare = replace(scene, net=False, marks=(), traces=(), normal=False) if None in keys else scene
+    for index, (key, fields) in enumerate(zip(keys, every, strict=True)):
+        stretch = common_limits(fields)
+        here = scene if key is None else bare
+        draw_space(page.panels[index].axes(), patches, here, fields=fields, stretch=stretch, unit=unit, box=box)
+        if fields:
+            draw_key(page.keys[index], fields, stretch, unit)
+    return page.figure
+
+
+def map_panels(
+    surface: Surface,
+    keys: Sequence[str],
+    *,
+    marks: Sequence[Mark] = (),
+    title: str = "",
+    unit: str = "",
+    thresholds: Thresholds | None = None,
+    columns: int = 3,
+    width: float = 9.0,
+) -> Figure:
+    """Return maps of several quantities over (u, v), each with its own key."""
+    every = [map_fields([surface], key, thresholds=thresholds) for key in keys]
+    columns = max(1, min(columns, len(keys)))
+    side = (width - 0.2 - 0.12 * (columns - 1)) / columns
+    drawn = [fields[0] for fields in every]
+    page = sheet(
+        len(keys),
+        (side, side),
+        columns=columns,
+        titles=[panel_title(key) for key in keys],
+        title=title,
+        note=_sentence(note([surface], drawn, unit, thresholds), lines_note(drawn)),
+        key="each",
+        key_size=key_height(every, side),
+    )
+    for index, fields in enumerate(every):
+        stretch = common_limits(fields)
+        draw_map(map_axes(page.panels[index]), surface, fields[0], stretch, marks)
+        draw_key(page.keys[index], fields, stretch, unit)
+    return page.figure
+
+
+def several(surfaces: Surface | Sequence[Surface]) -> list[Surface]:
+    """Return one surface or several as a list."""
+    return [surfaces] if isinstance(surfaces, Surface) else list(surfaces)
+
+
+def panel_title(key: str | None) -> str:
+    """Return the title of a panel: the quantity's name and symbol, or that it is the plain surface."""
+    return "Surface" if key is None else quantity_label(quantity(key))
+
+
+def _sentence(*parts: str) -> str:
+    return "; ".join(part for part in parts if part)

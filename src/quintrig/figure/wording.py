@@ -1,0 +1,81 @@
+"""Words and numbers on figures: names with symbol and unit, powers of ten, and the note that every figure carries."""
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from quintrig.classify import Thresholds
+from quintrig.figure.edge import regression_note
+from quintrig.figure.field import Field
+from quintrig.quantity import Quantity
+from quintrig.surface import Surface
+
+_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def exponent(largest: float) -> int:
+    """Return the power of ten, a multiple of 3, to take out of numbers up to ``largest``; 0 where they read well."""
+    if not largest > 0.0 or not math.isfinite(largest) or 0.01 <= largest < 1e4:
+        return 0
+    return 3 * math.floor(math.log10(largest) / 3.0)
+
+
+def number_text(value: float, power: int = 0) -> str:
+    """Return value / 10^power, as short as it can be told."""
+    text = f"{value / 10.0**power:.4g}"
+    return "0" if text in ("-0", "0") else text.replace("-", "−")
+
+
+def with_unit(name: str, unit: str, power: int = 0) -> str:
+    """Return a name with its unit and the power of ten taken out, such as ``x (10⁻³ mm)``."""
+    ten = f"10{str(power).translate(_RAISED)}" if power else ""
+    inside = f"{ten} {unit}".strip() if unit else (f"× {ten}" if ten else "")
+    return f"{name} ({inside})" if inside else name
+
+
+def quantity_label(q: Quantity, unit: str = "", power: int = 0) -> str:
+    """Return name, symbol and unit, such as ``Gaussian curvature K (1/mm²)``; ``unit`` is that of length."""
+    name = q.name[0].upper() + q.name[1:]
+    return with_unit(name if q.colour == "classes" else f"{name} ${q.latex}$", q.unit(unit), power)
+
+
+def normal_note(surface: Surface) -> str:
+    """Return which way the normal points, in words."""
+    return "normal turned, against $S_u{\\times}S_v$" if surface.flip else "normal along $S_u{\\times}S_v$"
+
+
+def note(
+    surfaces: Sequence[Surface],
+    fields: Sequence[Field] = (),
+    unit: str = "",
+    thresholds: Thresholds | None = None,
+    outside: float = 0.0,
+) -> str:
+    """Return the line under a figure: the normal, the unit, what is grey, zero or cut off, and warnings."""
+    parts: list[str] = []
+    ways = {normal_note(surface) for surface in surfaces}
+    if ways:
+        way = ways.pop() if len(ways) == 1 else "normals along $S_u{\\times}S_v$ on some patches, turned on others"
+        parts.append(way[0].upper() + way[1:])
+    if surfaces:
+        parts.append(f"lengths in {unit}" if unit else "no unit of length given")
+    grey = sum(int(np.count_nonzero(f.undefined)) for f in fields)
+    if grey:
+        total = sum(f.values.size for f in fields)
+        share = f"{100.0 * grey / total:.2g} % of the cells" if grey > 1e-3 * total else f"{grey} of {total} cells"
+        parts.append(f"grey: undefined ({share})")
+    if any(f.quantity.colour == "classes" for f in fields):
+        t = thresholds or Thresholds()
+        parts.append(f"zero means within {_small(t.relative)} of the curvedness, flat within {_small(t.flat)} / size")
+    text = "; ".join(parts)
+    warnings = [regression_note(surface) for surface in surfaces]
+    if outside > 0.0:
+        warnings.append(f"{max(100.0 * outside, 0.1):.2g} % of the surface lies far outside the box and is not drawn")
+    return ". ".join([part for part in [text, *warnings] if part])
+
+
+def _small(value: float) -> str:
+    power = math.floor(math.log10(value))
+    digits = f"{value / 10.0**power:.3g}"
+    return ("" if digits == "1" else f"{digits}·") + f"10{str(power).translate(_RAISED)}"
