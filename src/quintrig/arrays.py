@@ -1,6 +1,7 @@
 """Array types, and the checks that turn what a caller hands in into frozen arrays."""
 
-from typing import Any
+from operator import index
+from typing import Any, SupportsIndex
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,17 +14,15 @@ LARGEST = 1e50
 """Largest coordinate: the curvature formula multiplies up to five of them, and must not overflow."""
 
 
+_NUMBERS = (int, float, np.integer, np.floating)
+
+
 def frozen(values: ArrayLike, name: str, *shapes: tuple[int | None, ...]) -> FloatArray:
     """Copy ``values`` to a read-only float64 array of one of ``shapes`` (None: any length).
 
     Raises ValueError, naming ``name``, for a wrong shape, a value that is no number, NaN or infinity.
     """
-    try:
-        raw: NDArray[Any] = np.asarray(values)
-    except ValueError as error:
-        raise ValueError(f"{name}: expected rows of equal length, found ragged ones ({error})") from None
-    if raw.dtype.kind not in "iuf":
-        raise ValueError(f"{name}: expected real numbers, found {_kind(raw)}")
+    raw = _numbers(values, name, "real numbers")
     if shapes and not any(_fits(raw.shape, shape) for shape in shapes):
         expected = " or ".join(_spell(shape) for shape in shapes)
         raise ValueError(f"{name}: expected an array of shape {expected}, found {_spell(raw.shape)}")
@@ -47,9 +46,7 @@ def parameter(values: ArrayLike, name: str) -> FloatArray:
 
     Raises ValueError, naming ``name``, the domain, the first offender and its place.
     """
-    raw: NDArray[Any] = np.asarray(values)
-    if raw.dtype.kind not in "iuf":
-        raise ValueError(f"{name}: expected real numbers in the domain [0, 1], found {_kind(raw)}")
+    raw = _numbers(values, name, "real numbers in the domain [0, 1]")
     array: FloatArray = np.asarray(raw, dtype=np.float64)
     # One comparison each way also catches NaN, since every comparison with it is false.
     if array.size and not (array.min() >= 0.0 and array.max() <= 1.0):
@@ -61,6 +58,37 @@ def parameter(values: ArrayLike, name: str) -> FloatArray:
             "surfaces and curves are not extended beyond it: clip or leave out these parameters"
         )
     return array
+
+
+def whole(value: SupportsIndex, name: str, least: int) -> int:
+    """Return ``value`` as an int of at least ``least``; raises ValueError naming ``name``."""
+    try:
+        found = index(value)
+    except TypeError:
+        found = least - 1
+    if found < least or isinstance(value, bool):
+        raise ValueError(f"{name}: expected a whole number of at least {least}, found {value!r}")
+    return found
+
+
+def _numbers(values: ArrayLike, name: str, expected: str) -> NDArray[Any]:
+    """Return ``values`` as an array of numbers; ValueError where they are ragged, or something else than numbers."""
+    try:
+        raw: NDArray[Any] = np.asarray(values)
+    except ValueError:
+        raise ValueError(f"{name}: expected rows of equal length, found ragged ones") from None
+    if not isinstance(values, np.ndarray) and raw.dtype.kind in "iufO":
+        # NumPy would take true for 1 beside a number, and keeps integers beyond 64 bits as objects.
+        parts: list[Any] = np.asarray(values, dtype=object).ravel().tolist()
+        strange = [part for part in parts if isinstance(part, bool) or not isinstance(part, _NUMBERS)]
+        if strange:
+            raise ValueError(f"{name}: expected {expected}, found {strange[0]!r}")
+        if raw.dtype.kind == "O":
+            bounded = [float(part) if abs(part) <= LARGEST else np.inf for part in parts]
+            raw = np.array(bounded).reshape(raw.shape)
+    if raw.dtype.kind not in "iuf":
+        raise ValueError(f"{name}: expected {expected}, found {_kind(raw)}")
+    return raw
 
 
 def _fits(found: tuple[int, ...], wanted: tuple[int | None, ...]) -> bool:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from quintrig import taylor
-from quintrig.arrays import BoolArray, FloatArray, number, parameter
+from quintrig.arrays import BoolArray, FloatArray, number, parameter, whole
 from quintrig.functions import Functions, sin_cos
 
 SHAPE_RANGE = (-4.0, 1.0)
@@ -104,8 +104,7 @@ class Bernstein:
 
     def __post_init__(self) -> None:
         """Check the degree once, at birth."""
-        if self.degree < 0:
-            raise ValueError(f"degree: expected 0 or more, found {self.degree}")
+        object.__setattr__(self, "degree", whole(self.degree, "degree", 0))
 
     @property
     def size(self) -> int:
@@ -155,6 +154,8 @@ def family(name: BasisName, points: int, alpha: float, zeta: float, unchecked: b
             raise ValueError(f"expected 6 control points for the trigonometric basis, found {points}")
         return Trigonometric(alpha, zeta, unchecked)
     if name == "bernstein":
+        if points < 2:
+            raise ValueError(f"expected 2 or more control points, found {points}")
         return Bernstein(points - 1)
     raise ValueError(f"basis: expected 'trigonometric' or 'bernstein', found {name!r}")
 

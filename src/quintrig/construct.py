@@ -139,7 +139,7 @@ def reflected(points: FloatArray, plane: FloatArray) -> FloatArray:
 
 
 def _shape(shape: Shape, unchecked: bool) -> tuple[float, float, float, float]:
-    values = frozen(list(shape), "shape", (4,))
+    values = frozen(shape, "shape", (4,))
     a1, z1, a2, z2 = (
         shape_parameter(float(value), f"shape[{i}] ({name})", unchecked)
         for i, (name, value) in enumerate(zip(_SHAPE_NAMES, values, strict=True))
@@ -156,6 +156,6 @@ def _polygon(points: ArrayLike, name: str, dimension: int, basis: BasisName) -> 
 def _count(points: FloatArray, axis: int, name: str, basis: BasisName) -> None:
     found = points.shape[axis]
     if basis == "trigonometric" and found != 6:
-        raise ValueError(f"{name}: expected 6 for the trigonometric basis, found {found}")
+        raise ValueError(f"{name}: expected 6 control points for the trigonometric basis, found {found}")
     if found < 2:
-        raise ValueError(f"{name}: expected 2 or more, found {found}")
+        raise ValueError(f"{name}: expected 2 or more control points, found {found}")

@@ -6,7 +6,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quintrig.arrays import FloatArray, frozen, parameter
+from quintrig.arrays import FloatArray, frozen, number, parameter, whole
 from quintrig.basis import BasisName, family
 from quintrig.functions import Functions
 
@@ -37,8 +37,8 @@ class Curve:
     ) -> None:
         """Copy and check the points, then the basis that goes with them."""
         object.__setattr__(self, "points", frozen(points, "points", (None, 2), (None, 3)))
-        object.__setattr__(self, "alpha", float(alpha))
-        object.__setattr__(self, "zeta", float(zeta))
+        object.__setattr__(self, "alpha", number(alpha, "alpha"))
+        object.__setattr__(self, "zeta", number(zeta, "zeta"))
         object.__setattr__(self, "basis", basis)
         object.__setattr__(self, "unchecked_shape", unchecked_shape)
         _ = self.functions
@@ -54,7 +54,7 @@ class Curve:
 
     def derivatives(self, t: ArrayLike, order: int) -> FloatArray:
         """Return derivatives 0 to ``order`` by t, shape (order + 1, *t.shape, 2 or 3), length¹."""
-        return self.functions.derivatives(parameter(t, "t"), order) @ self.points
+        return self.functions.derivatives(parameter(t, "t"), whole(order, "order", 0)) @ self.points
 
     def curvature(self, t: ArrayLike) -> FloatArray:
         """Return the curvature |z' x z''| / |z'|³ >= 0, shape t.shape, length⁻¹; NaN where the speed vanishes."""
@@ -109,7 +109,7 @@ class Curve:
         if scale == "auto":
             longest = np.nanmax(_norm(bend), initial=0.0)
             scale = 0.25 * self._polygon() / longest if longest > 0.0 else 0.0
-        return point - scale * bend
+        return point - number(scale, "scale") * bend
 
     def _polygon(self) -> float:
         return float(_norm(np.diff(self.points, axis=0)).sum())

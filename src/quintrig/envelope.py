@@ -30,7 +30,7 @@ def developable(
     """
     family = frozen(planes, "planes", (6, 4))
     cuts = frozen(bounds, "bounds", (2, 4))
-    values = frozen(list(shape), "shape", (2,))
+    values = frozen(shape, "shape", (2,))
     alpha = shape_parameter(float(values[0]), "shape[0] (alpha)", unchecked_shape)
     zeta = shape_parameter(float(values[1]), "shape[1] (zeta)", unchecked_shape)
     for name, vectors in (("planes", family), ("bounds", cuts)):

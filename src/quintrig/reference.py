@@ -20,7 +20,8 @@ def sphere(radius: float = 1.0, *, flip: bool = False) -> Surface:
 
     The normal points outwards, so H = -1/r.
     """
-    return ellipsoid(radius, radius, radius, flip=flip)
+    r = _positive(radius, "radius")
+    return ellipsoid(r, r, r, flip=flip)
 
 
 def ellipsoid(a: float = 3.0, b: float = 2.0, c: float = 1.0, *, flip: bool = False) -> Surface:

@@ -7,7 +7,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quintrig.arrays import BoolArray, FloatArray, parameter
+from quintrig.arrays import BoolArray, FloatArray, parameter, whole
 from quintrig.functions import Functions
 
 
@@ -81,8 +81,9 @@ class Surface:
         """Return all partial derivatives up to ``order`` in each parameter, length¹.
 
         The result has shape (order + 1, order + 1, *broadcast of u and v, 3); entry [i, j] is ∂^(i+j)S / ∂u^i ∂v^j, so
-        [1, 0] is S_u and [1, 1] is S_uv. Raises ValueError for NaN or parameters outside [0, 1].
+        [1, 0] is S_u and [1, 1] is S_uv. Raises ValueError for NaN, parameters outside [0, 1] or a negative order.
         """
+        order = whole(order, "order", 0)
         rows = self.rows.derivatives(parameter(u, "u"), order)
         blend = self.blend.derivatives(parameter(v, "v"), order)
         blended = np.einsum("p...mx,q...m->pq...x", rows, blend)
