@@ -116,10 +116,18 @@ class Surface:
 
     @property
     def size(self) -> float:
-        """Diagonal of the bounding box of 17 x 17 points of the surface, length¹: the scale of all thresholds."""
+        """Diagonal of the bounding box of 17 x 17 points of the surface, length¹: the scale of all thresholds.
+
+        Points that lie as good as at infinity, as where a ruling of a strip runs along a bounding plane, are left out.
+        """
         t = np.linspace(0.0, 1.0, 17)
-        points = self(t[:, None], t[None, :])
-        return float(np.linalg.norm(np.ptp(points, axis=(0, 1))))
+        points = self(t[:, None], t[None, :]).reshape(-1, 3)
+        points = points[np.isfinite(points).all(axis=-1)]
+        if not len(points):
+            return 0.0
+        away = np.abs(points - np.median(points, axis=0)).max(axis=-1)
+        near = away <= (1e6 * np.median(away) or np.inf)
+        return float(np.linalg.norm(np.ptp(points[near], axis=0)))
 
 
 def _projected(blended: FloatArray) -> FloatArray:
