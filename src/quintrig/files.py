@@ -1,7 +1,8 @@
-"""Files are written whole or not at all."""
+"""What writing needs: files whole or not at all, and packages that may be missing."""
 
 import os
 import tempfile
+from importlib.util import find_spec
 from pathlib import Path
 
 from quintrig.errors import QuintrigError
@@ -31,6 +32,12 @@ def write_whole(path: str | Path, data: bytes | str) -> Path:
         reason = error.strerror or str(error)
         raise QuintrigError(f"{target}: cannot be written ({reason}); choose another place or free it") from None
     return target
+
+
+def require(package: str, extra: str) -> None:
+    """Raise QuintrigError with the command that installs an optional package, where it is missing."""
+    if find_spec(package) is None:
+        raise QuintrigError(f"this needs {package}, which is not installed: run pip install 'quintrig[{extra}]'")
 
 
 def _umask() -> int:

@@ -89,6 +89,12 @@ def progress() -> "Generator[Callable[[str, int, int], None]]":
         yield show
 
 
+def finished(folder: Path) -> None:
+    """Say where the results are: the path on stdout, a word on stderr."""
+    sys.stderr.write("The results are in:\n")
+    emit(printable(str(folder)))
+
+
 def done(page: Path) -> None:
     """Say where the page is: the path on stdout, so that a script can take it, with a word on stderr."""
     sys.stderr.write("The page is ready; open it in a browser:\n")
@@ -126,6 +132,18 @@ def numbers(text: str, count: int | None, name: str) -> tuple[float, ...]:
     if not values or (count and len(values) != count):
         raise ValueError(f"{name}: expected {expected} separated by commas, got {text[:60]!r}")
     return values
+
+
+def counts(text: str, name: str, most: int = 10**12) -> tuple[int, int]:
+    """Read two counts such as 20x30, or one for both; ValueError naming the option, with at most ``most`` in all."""
+    words = text.lower().replace("×", "x").split("x")
+    if len(words) == 1:
+        words *= 2
+    if len(words) != 2 or not all(word.strip().isascii() and word.strip().isdigit() for word in words):
+        raise ValueError(f"{name}: expected two counts such as 20x30, got {text[:60]!r}")
+    if any(len(word.strip()) > 12 for word in words) or int(words[0]) * int(words[1]) > most:
+        raise ValueError(f"{name}: expected at most {most:,} points, got {text[:60]}; choose a coarser grid")
+    return int(words[0]), int(words[1])
 
 
 def printable(text: str) -> str:

@@ -111,18 +111,7 @@ def _points(at: Sequence[str] | None, grid: str | None, file: Path | None) -> "t
         return _from_file(file)
     from quintrig.sample import grid as mesh
 
-    return mesh(*_counts(grid or "5x5"))
-
-
-def _counts(text: str) -> tuple[int, int]:
-    words = text.lower().replace("×", "x").split("x")
-    if len(words) == 1:
-        words *= 2
-    if len(words) != 2 or not all(word.strip().isascii() and word.strip().isdigit() for word in words):
-        raise ValueError(f"--grid: expected two counts such as 20x30, got {text[:60]!r}")
-    if any(len(word.strip()) > 9 for word in words) or int(words[0]) * int(words[1]) > _MOST:
-        raise ValueError(f"--grid: expected at most {_MOST:,} points, got {text[:60]}; choose a coarser grid")
-    return int(words[0]), int(words[1])
+    return mesh(*session.counts(grid or "5x5", "--grid", _MOST))
 
 
 def _from_file(file: Path) -> "tuple[FloatArray, FloatArray]":

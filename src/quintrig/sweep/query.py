@@ -6,8 +6,9 @@ import numpy as np
 
 from quintrig.arrays import FloatArray
 from quintrig.errors import QuintrigError, nearest
+from quintrig.files import require
 from quintrig.sweep.part import columns
-from quintrig.sweep.store import Sweep, require
+from quintrig.sweep.store import Sweep
 
 
 def select(

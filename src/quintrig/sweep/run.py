@@ -9,8 +9,9 @@ from uuid import uuid4
 
 from quintrig.arrays import FloatArray
 from quintrig.errors import QuintrigError
+from quintrig.files import require
 from quintrig.sweep.part import summaries
-from quintrig.sweep.store import Sweep, require
+from quintrig.sweep.store import Sweep
 
 Progress = Callable[[int, int], None]
 """Called with the designs done and the designs in all."""

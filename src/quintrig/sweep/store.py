@@ -12,7 +12,7 @@ import numpy as np
 from quintrig.arrays import FloatArray
 from quintrig.classify import Thresholds
 from quintrig.errors import QuintrigError
-from quintrig.files import write_whole
+from quintrig.files import require, write_whole
 from quintrig.sweep.part import Task, columns
 from quintrig.sweep.space import DesignSpace
 
@@ -90,14 +90,6 @@ def load_sweep(folder: Path) -> Sweep:
     thresholds = Thresholds(float(data["relative"]), float(data["flat"]))
     space = DesignSpace.from_dict(data["space"])
     return Sweep(folder, Task(data["model"], str(data["patch"]), space, int(data["points"]), thresholds))
-
-
-def require(package: str, extra: str) -> None:
-    """Raise QuintrigError with the command that installs an optional package, where it is missing."""
-    from importlib.util import find_spec
-
-    if find_spec(package) is None:
-        raise QuintrigError(f"this needs {package}, which is not installed: run pip install 'quintrig[{extra}]'")
 
 
 def _read(folder: Path) -> dict[str, Any]:
