@@ -1,0 +1,117 @@
+"""What shape parameters do to a surface: the same control points with several of them, and a table of intensities."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from quintrig.definition import Bezier
+from quintrig.errors import ModelError
+from quintrig.extremes import Extreme
+from quintrig.integrate import INTEGRALS
+from quintrig.model import Patch
+from quintrig.quadrature import Integral
+from quintrig.quantity import BY_KEY
+from quintrig.summary import Summary, summarise
+from quintrig.table import Column, Table
+
+FOUR_SETS: tuple[tuple[float, ...], ...] = ((1, 1, 1, 1), (1, 1, -3, -3), (1, -3, 1, -3), (1, 0, -2, -3))
+"""The thesis's sets (α1, ζ1, α2, ζ2) for every surface of chapter 4 but the developable one."""
+
+TWO_SETS: tuple[tuple[float, ...], ...] = ((1, 1), (0, -4), (-2, 0), (-2, -4))
+"""The thesis's sets (α, ζ) for the enveloping developable surface (figures 4.29 to 4.32)."""
+
+_INTENSITIES = ("gaussian", "mean")
+_NOISE = 1e-12
+
+
+@dataclass(frozen=True, eq=False)
+class Variant:
+    """A patch with other shape parameters, and its summary."""
+
+    shape: tuple[float, ...]
+    patch: Patch
+    summary: Summary
+
+    @property
+    def label(self) -> str:
+        """The shape parameters as a title, such as ``(1, 1, -3, -3)``."""
+        return f"({', '.join(f'{value:g}' for value in self.shape)})"
+
+
+def standard_shapes(patch: Patch) -> tuple[tuple[float, ...], ...]:
+    """Return the thesis's sets of shape parameters for this kind of surface; ModelError where it has none."""
+    _check(patch)
+    return FOUR_SETS if len(patch.shape) == 4 else TWO_SETS
+
+
+def variants(patch: Patch, shapes: Sequence[Sequence[float]], unit: str = "") -> tuple[Variant, ...]:
+    """Return the patch with each of several sets of shape parameters.
+
+    Raises ModelError where the kind has no shape parameters, or they do not fit.
+    """
+    _check(patch)
+    changed = [patch.with_shape(shape) for shape in shapes]
+    return tuple(Variant(one.shape, one, summarise(one.surface, unit)) for one in changed)
+
+
+def intensities(found: Sequence[Variant], title: str = "") -> Table:
+    """Return a table with a row for each variant: least, greatest and mean K and H, area and the other integrals.
+
+    What grows without bound beside a singular point is infinite, what is undefined NaN; the notes say why.
+    """
+    unit = found[0].summary.unit
+    labels = tuple(variant.label for variant in found)
+    columns = [Column("shape", "shape", r"\mathrm{shape}", "shape parameters", "", labels, labels)]
+    for key in _INTENSITIES:
+        q = BY_KEY[key]
+        every = [variant.summary.extremes[key] for variant in found]
+        for end, latex, values in (
+            ("min", rf"{q.latex}_{{\min}}", [_end(one.minimum, -math.inf) for one in every]),
+            ("max", rf"{q.latex}_{{\max}}", [_end(one.maximum, math.inf) for one in every]),
+            ("mean", rf"\overline{{{q.latex}}}", [_integral(one.mean) for one in every]),
+        ):
+            words = (f"{key}_{end}", f"{q.symbol} {end}", latex, f"{q.name}, {end}")
+            columns.append(Column(*words, q.unit(unit), tuple(values), _rounded(values, found, q.power)))
+    for q in INTEGRALS:
+        values = tuple(_integral(variant.summary.integrals[q.key]) for variant in found)
+        short = len(q.symbol) < 8
+        words = (q.key, q.symbol if short else q.name, q.latex if short else rf"\mbox{{{q.name}}}", q.name)
+        columns.append(Column(*words, q.unit(unit), values, _rounded(values, found, q.power - 2)))
+    return Table(title, _notes(found), tuple(columns), lead=1)
+
+
+def _rounded(values: Sequence[float], found: Sequence[Variant], power: int) -> tuple[float, ...]:
+    """Return the values with 0 in place of what is rounding beside the largest curvature, all of them to a power."""
+    if power >= 0:
+        return tuple(values)
+    floors = (_NOISE * abs(variant.summary.extremes["curvedness"].maximum.value) ** -power for variant in found)
+    return tuple(0.0 if abs(value) <= floor else value for value, floor in zip(values, floors, strict=True))
+
+
+def _end(extreme: Extreme, limit: float) -> float:
+    return limit if extreme.status == "unbounded" else extreme.value
+
+
+def _integral(integral: Integral) -> float:
+    return math.inf if integral.status == "grows without bound" else integral.value
+
+
+def _notes(found: Sequence[Variant]) -> tuple[str, ...]:
+    summary = found[0].summary
+    formulas = ", ".join(f"{q.name} = {q.symbol}" for q in INTEGRALS if len(q.symbol) >= 8)
+    notes = [
+        f"Lengths in {summary.unit}." if summary.unit else "Lengths are plain numbers: the model states no unit.",
+        f"{summary.orientation[0].upper()}{summary.orientation[1:]}; means are over the area.",
+        f"The {formulas}.",
+    ]
+    return (*notes, *(f"{variant.label}: {warning}" for variant in found for warning in variant.summary.warnings))
+
+
+def _check(patch: Patch) -> None:
+    """Refuse a patch on which shape parameters do not act."""
+    if isinstance(patch.definition, Bezier) and patch.definition.basis == "bernstein":
+        raise ModelError(
+            f'patch "{patch.name}": basis: expected "trigonometric", got "bernstein", which has no shape parameters'
+        )
+    if not patch.shape:
+        raise ModelError(f'patch "{patch.name}": kind: a {patch.kind} has no shape parameters to vary')
