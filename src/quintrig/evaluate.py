@@ -14,7 +14,7 @@ from quintrig.blocks import BLOCK, derivative_blocks, pad
 from quintrig.kernel import FORM_ONLY, SIMPLE, Driver, driver
 from quintrig.planes import CODE_PLANES, CODE_SLOTS, FLOAT_PLANES, FLOAT_SLOTS, CodePlanes, FloatPlanes
 from quintrig.quantity import QUANTITIES
-from quintrig.surface import Net, Surface
+from quintrig.surface import Net, Rows, Surface
 
 Planes = dict[str, NDArray[Any]]
 """Output arrays by key of the quantity, each (components, rows, columns)."""
@@ -47,8 +47,7 @@ def on_grid(surface: Surface, u: FloatArray, v: FloatArray, planes: Planes, thre
     """Fill planes of shape (components, nu, nv) at u (nu,) and v (nv,)."""
     if not (u.size and v.size):
         return
-    derivatives = surface.rows.derivatives(u, 2)  # (3, nu, rows, 3)
-    rows = np.ascontiguousarray(derivatives.transpose(1, 0, 2, 3)).reshape(len(u), -1)
+    rows = _row_derivatives(surface.rows, u)
     blend = _flat(derivative_blocks(surface.blend, v))
     drive = _driver(surface.rows.size, 0, planes)
     outputs = _outputs(planes, slice(None))
@@ -70,6 +69,15 @@ def scattered(surface: Surface, u: FloatArray, v: FloatArray, planes: Planes, th
         drive(rows, net, blend, 0, 1, piece.stop - start, *settings, *_outputs(planes, piece))
 
     _spread(part, range(0, u.size, _PIECE), threads)
+
+
+def _row_derivatives(rows: Rows, u: FloatArray) -> FloatArray:
+    """Return derivatives 0 to 2 of the rows at u (nu,), shape (nu, 9 rows)."""
+    if isinstance(rows, Net):
+        functions = derivative_blocks(rows.functions, u).transpose(0, 3, 1, 2)  # (blocks, BLOCK, 3, functions)
+        each = functions.reshape(-1, rows.functions.size)[: 3 * u.size]
+        return (each @ rows.points.reshape(rows.functions.size, -1)).reshape(u.size, -1)
+    return np.ascontiguousarray(rows.derivatives(u, 2).transpose(1, 0, 2, 3)).reshape(u.size, -1)
 
 
 def _inputs(surface: Surface, u: FloatArray, v: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray, int, int]:
