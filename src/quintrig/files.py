@@ -30,6 +30,8 @@ def write_whole(path: str | Path, data: bytes | str) -> Path:
         if temporary:
             Path(temporary).unlink(missing_ok=True)
         reason = error.strerror or str(error)
+        if isinstance(error, (FileExistsError, NotADirectoryError)):
+            reason = "a part of the path is a file, not a folder"
         raise QuintrigError(f"{target}: cannot be written ({reason}); choose another place or free it") from None
     return target
 
