@@ -1,4 +1,4 @@
-"""Every surface and every family of functions that the property tests run over: add a new kind here, and all of them apply.
+"""Every surface and every family of functions that the property tests run over: add a new kind, and all apply to it.
 
 A surface is a model, a dictionary with the keys of a model file, so that ``oracle`` can work out the same one.
 """
@@ -98,7 +98,14 @@ PROFILE = ((2.0, 0.0), (2.2, 0.8), (1.6, 1.7), (1.2, 2.2), (1.5, 3.1), (1.1, 4.0
 POLE = ((2.0, 0.0), (2.0, 0.8), (1.7, 1.7), (1.2, 2.4), (0.7, 2.6), (0.0, 2.6))
 AROUND = ((1.0, 0.0), (1.0, 0.5), (0.8, 0.9), (0.4, 1.1), (0.2, 1.2), (0.0, 1.1))
 
-CALM = ((1.0, 0.1, 0.3, -10.0), (1.0, 0.3, 0.32, -10.2), (0.9, 0.6, 0.34, -10.3), (0.7, 0.8, 0.33, -10.6), (0.5, 0.9, 0.31, -10.7), (0.3, 1.0, 0.28, -11.0))  # fmt: skip
+CALM = (
+    (1.0, 0.1, 0.3, -10.0),
+    (1.0, 0.3, 0.32, -10.2),
+    (0.9, 0.6, 0.34, -10.3),
+    (0.7, 0.8, 0.33, -10.6),
+    (0.5, 0.9, 0.31, -10.7),
+    (0.3, 1.0, 0.28, -11.0),
+)
 """Control planes whose edge of regression lies far above the bounds."""
 
 CUSPED = ((0, 1, 4, -20), (1, 1, 5, -24), (2, 1, 4, -30), (3, 0, 4, -33), (4, 1, 3, -40), (5, 2, 4, -44))
@@ -132,12 +139,12 @@ def _models():
         yield f"swung {shape}", {**swung, "shape": shape, "scale": scale}
     yield "swung to a pole", {**swung, "profile": POLE, "shape": SHAPES[4], "scale": 1.2}
     yield "swung classical", {**swung, "shape": SHAPES[0], "basis": "bernstein", "flip": True}
-    ruled = {"kind": "ruled", "first": arch(), "second": arch(seed=4) * (1.0, -1.0, 0.7) + (0.5, 5.0, 1.0)}
+    ruled = {"kind": "ruled", "first": arch(), "second": np.add(arch(seed=4) * (1.0, -1.0, 0.7), (0.5, 5.0, 1.0))}
     for shape in SHAPES:
         yield f"ruled {shape}", {**ruled, "shape": shape}
     yield "ruled classical", {**ruled, "first": arch(4), "shape": SHAPES[0], "basis": "bernstein"}
-    yield "ruled cylinder", {**ruled, "second": arch() + (0.3, 2.0, 1.0), "shape": (0.5, -2.0, 0.5, -2.0)}
-    yield "ruled cone", {**ruled, "second": 0.4 * arch() + (0.0, 3.0, 2.0), "shape": (1.0, -4.0, 1.0, -4.0)}
+    yield "ruled cylinder", {**ruled, "second": np.add(arch(), (0.3, 2.0, 1.0)), "shape": (0.5, -2.0, 0.5, -2.0)}
+    yield "ruled cone", {**ruled, "second": np.add(0.4 * arch(), (0.0, 3.0, 2.0)), "shape": (1.0, -4.0, 1.0, -4.0)}
     for pair in PAIRS:
         yield f"developable {pair}", {"kind": "developable", "planes": CALM, "bounds": LEVEL, "shape": pair}
         yield f"developable cusped {pair}", {"kind": "developable", "planes": CUSPED, "bounds": ACROSS, "shape": pair}

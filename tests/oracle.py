@@ -1,8 +1,9 @@
 """Values to 40 digits, worked out from the definitions alone: nothing here comes from quintrig.
 
-Bases, constructions and reference surfaces are written from the thesis (eq. 2.2, §3.2-3.3) and the textbook, derivatives are taken
-of the formulas themselves, and curvature and invariants follow the textbook definitions, K = (LN - M²)/(EG - F²) and so on,
-rather than the forms that suit floating point. A model is a dictionary with the keys of a model file.
+Bases, constructions and reference surfaces are written from the thesis (eq. 2.2, §3.2-3.3) and the textbook,
+derivatives are taken of the formulas themselves, and curvature and invariants follow the textbook definitions, such as
+K = (LN - M²)/(EG - F²), rather than the forms that suit floating point. A model is a dictionary with the keys of a
+model file.
 """
 
 from functools import cache
