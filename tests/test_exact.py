@@ -165,7 +165,7 @@ def random_developable(rng, scale):
     offsets = -scale * (1 + 0.05 * rng.normal(size=6))
     tilt = 0.1 * rng.normal(size=(2, 2))
     bounds = [[tilt[0, 0], 1.0, tilt[0, 1], scale], [tilt[1, 0], 1.0, tilt[1, 1], -scale]]
-    # Between -4 and -3.5 a strip may run hundreds of its widths along its first ruling: exact there, but hard to compare.
+    # Between -4 and -3.5 a strip may run hundreds of its widths along its first ruling, and lose digits there.
     shape = [value if value == -4.0 else max(value, -3.5) for value in random_shape(rng, 2)]
     return {"planes": np.concatenate([normals, offsets[:, None]], axis=1), "bounds": bounds, "shape": shape}
 
