@@ -89,7 +89,11 @@ def _count(
     noun = nouns[depth] if key in form.counts and depth < len(nouns) else "numbers"
     if depth < len(counts) and keys.get("basis", "trigonometric") == "trigonometric":
         return f"{counts[depth]} {noun}"
-    least, most = context.get("min_length"), context.get("max_length")
-    exact = (noun == "numbers" and key in form.counts) or key == "shape"
-    bound = "" if exact else "at least " if kind == "too_short" else "at most "
-    return f"{bound}{least if kind == 'too_short' else most} {noun}"
+    limits = form.model_json_schema()["properties"].get(key, {})
+    for _ in range(depth):
+        limits = limits.get("items", {})
+    if limits.get("minItems") is not None and limits.get("minItems") == limits.get("maxItems"):
+        return f"{limits['minItems']} {noun}"
+    return (
+        f"at least {context['min_length']} {noun}" if kind == "too_short" else f"at most {context['max_length']} {noun}"
+    )
