@@ -14,6 +14,7 @@ from quintrig.exchange.trim import simplified, without_border
 from quintrig.exchange.units import ASSUMED, UNITS, named
 
 _MOST_FACES = 100_000
+_MOST_NAMED = 2_000  # matching names to faces takes the square of their number
 _EXACT_KINDS = {
     "BSplineSurface": "B-spline",
     "BezierSurface": "Bézier",
@@ -86,9 +87,31 @@ def _iges(path: Path) -> tuple[list[Any], str, list[str]]:
     before = static.CVal_s("xstep.cascade.unit")
     static.SetCVal_s("xstep.cascade.unit", UNITS[unit].opencascade)
     try:
-        return _transferred(reader, unit, path), unit, notes
+        shapes = _transferred(reader, unit, path)
     finally:
         static.SetCVal_s("xstep.cascade.unit", before)
+    return _with_iges_names(shapes, reader.Model()), unit, notes
+
+
+def _with_iges_names(shapes: list[Any], model: Any) -> list[Any]:
+    """Return the shapes with the names of the file's face entities, where there are as many as faces.
+
+    OpenCASCADE hands on the names of whole shapes only.
+    """
+    faces = [face for _, shape, _ in shapes for face in explored(shape, "FACE")]
+    entities = [model.Entity(k + 1) for k in range(model.NbEntities())]
+    if len(faces) > _MOST_NAMED:
+        return shapes
+    for kind in (510, 144, 128):  # face of a shell, trimmed surface, B-spline surface
+        named_ones = [item for item in entities if item.TypeNumber() == kind]
+        if len(named_ones) == len(faces):
+            names = [item.NameValue().ToCString().strip() if item.HasName() else "" for item in named_ones]
+
+            def part_name(part: Any, names: list[str] = names) -> str:
+                return next((name for face, name in zip(faces, names, strict=True) if face.IsSame(part)), "")
+
+            return [(name, shape, part_name) for name, shape, _ in shapes]
+    return shapes
 
 
 def _brep(path: Path) -> tuple[list[Any], str, list[str]]:

@@ -88,11 +88,10 @@ def _document(shell: Shell, name: str, names: Sequence[str], unit: str) -> Any:
     label = shapes.AddShape(shell.shape, False)
     write = module("TDataStd").TDataStd_Name.Set_s
     write(label, text(name, True))
-    if len(shell.faces) > 1:
-        for face, word in zip(shell.faces, names, strict=True):
-            part = shapes.AddSubShape(label, face)
-            if not part.IsNull():
-                write(part, text(word, True))
+    for face, word in zip(shell.faces, names, strict=True):
+        part = shapes.AddSubShape(label, face)
+        if not part.IsNull():
+            write(part, text(word, True))
     return document
 
 

@@ -20,6 +20,7 @@ class Face:
     surface: str
     keys: dict[str, Any] = field(default_factory=dict[str, Any])
     problem: str = ""
+    note: str = ""
 
     @property
     def described(self) -> str:
@@ -29,7 +30,8 @@ class Face:
         p, q = self.keys["degrees"]
         size = f"{len(self.keys['points'])} x {len(self.keys['points'][0])} points"
         trimmed = ", trimmed" if self.keys.get("trim") else ""
-        return f"{self.surface}, degree ({p}, {q}), {size}{trimmed}"
+        note = f"; {self.note}" if self.note else ""
+        return f"{self.surface}, degree ({p}, {q}), {size}{trimmed}{note}"
 
 
 @dataclass(frozen=True)

@@ -31,7 +31,7 @@ def shell(parts: Sequence[Carrier], tolerance: float | None = None) -> Shell:
     """
     faces = [_face(part) for part in parts]
     if len(faces) == 1:
-        return Shell(faces[0], tuple(faces), ())
+        return Shell(_alone(faces[0]), tuple(faces), ())
     size = _size(parts)
     reach = tolerance if tolerance is not None else max(1e-6 * size, 2.0 * max(part.deviation for part in parts))
     sewing = module("BRepBuilderAPI").BRepBuilderAPI_Sewing(reach)
@@ -46,6 +46,14 @@ def shell(parts: Sequence[Carrier], tolerance: float | None = None) -> Shell:
     if turned:
         notes.append(f"normals turned so that the shell has one outside: {', '.join(turned)}")
     return Shell(sewing.SewedShape(), sewn, tuple(notes))
+
+
+def _alone(face: Any) -> Any:
+    """Return a shell of one face: IGES keeps which way a face looks only in a shell."""
+    builder, shape = module("BRep").BRep_Builder(), module("TopoDS").TopoDS_Shell()
+    builder.MakeShell(shape)
+    builder.Add(shape, face)
+    return shape
 
 
 def _face(part: Carrier) -> Any:

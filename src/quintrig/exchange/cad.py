@@ -1,0 +1,95 @@
+"""A model as a CAD file, read back and compared before it counts as written."""
+
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal
+
+from quintrig.errors import QuintrigError
+from quintrig.exchange.carrier import Carrier, carriers
+from quintrig.exchange.deviation import deviations
+from quintrig.exchange.fit import FitOptions
+from quintrig.exchange.isolated import read_here
+from quintrig.exchange.units import ASSUMED
+from quintrig.files import write_whole
+from quintrig.model import Model
+
+SUFFIXES = (".step", ".stp", ".iges", ".igs", ".brep", ".3dm")
+"""Endings of the CAD files that can be written."""
+
+_LARGEST_DEVIATION = 1e-12
+"""Of an exact file from its model, relative to the patch's size; more means a fault, and nothing is written."""
+
+
+@dataclass(frozen=True)
+class CadOptions:
+    """Protocol of STEP files, a fit in place of the exact form, and the distance for sewing patches, length¹."""
+
+    schema: Literal["ap242", "ap214"] = "ap242"
+    fit: FitOptions | None = None
+    sew: float | None = None
+
+    def __post_init__(self) -> None:
+        """Check once what can be checked alone."""
+        if self.sew is not None and not self.sew > 0.0:
+            raise ValueError(f"sewing tolerance: expected a length greater than 0, found {self.sew:g}")
+
+
+def export_cad(model: Model, path: Path, options: CadOptions | None = None) -> tuple[str, ...]:
+    """Write a STEP, IGES, BREP or 3DM file, and return what to tell about it, one line each.
+
+    The file is read back and every patch compared at 10,000 points before it takes its place. Raises QuintrigError for
+    a missing extra or an unwritable target, ValueError where a patch has no such form.
+    """
+    options = options or CadOptions()
+    parts = carriers(model, options.fit)
+    notes = [f"{part.name}: {part.note}" for part in parts]
+    data, more = _data(model, path.suffix.lower(), parts, options, "; ".join(notes))
+    notes += more
+    with tempfile.TemporaryDirectory() as folder:
+        copy = Path(folder) / f"copy{path.suffix.lower()}"
+        copy.write_bytes(data)
+        notes += _compared(parts, copy, path)
+    if not model.unit and path.suffix.lower() != ".brep":
+        notes.append(f"the model states no unit; the file says {ASSUMED}")
+    if any(part.surface.trim for part in parts):
+        notes.append("trimmed faces are written as their whole surfaces")
+    write_whole(path, data)
+    return tuple(notes)
+
+
+def _data(
+    model: Model, suffix: str, parts: tuple[Carrier, ...], options: CadOptions, remark: str
+) -> tuple[bytes, tuple[str, ...]]:
+    names = [part.name for part in parts]
+    if suffix == ".3dm":
+        from quintrig.exchange.rhino import write_3dm
+
+        notes = ("3DM: patches are separate surfaces; join them in Rhino",) if len(parts) > 1 else ()
+        return write_3dm([part.form for part in parts], names, model.unit, remark), notes
+    from quintrig.exchange import cad_write
+    from quintrig.exchange.occ import quiet
+    from quintrig.exchange.shell import shell
+
+    with quiet():
+        shape = shell(parts, options.sew)
+    if suffix in (".step", ".stp"):
+        return cad_write.step(shape, model.name, names, model.unit, options.schema, remark), shape.notes
+    if suffix in (".iges", ".igs"):
+        return cad_write.iges(shape, model.name, names, model.unit), shape.notes
+    return cad_write.brep(shape), (*shape.notes, "BREP holds neither names nor units")
+
+
+def _compared(parts: tuple[Carrier, ...], copy: Path, path: Path) -> list[str]:
+    """Return a line on each patch; QuintrigError where an exact file is not exact."""
+    lines: list[str] = []
+    for part, found in zip(parts, deviations(parts, read_here(copy)), strict=True):
+        if part.deviation == 0.0 and not found.relative <= _LARGEST_DEVIATION:
+            raise QuintrigError(
+                f"{path}: not written: read back, patch {part.name!r} deviates by {found.relative:.1e} of its size; "
+                "please report this with the model"
+            )
+        lines.append(
+            f"{found.name}: read back, largest deviation {found.distance:.2g} ({found.relative:.1e} of its size)"
+        )
+    return lines

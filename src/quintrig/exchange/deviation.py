@@ -1,0 +1,44 @@
+"""How far a file that was written is from the model: read it back and compare point by point."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from quintrig.exchange.carrier import Carrier
+from quintrig.exchange.faces import Contents
+from quintrig.model import Model
+from quintrig.sample import grid
+from quintrig.surface import Surface
+
+
+@dataclass(frozen=True)
+class Deviation:
+    """The largest distance over one patch, length¹, and the same over the patch's size."""
+
+    name: str
+    distance: float
+    relative: float
+
+
+def deviations(parts: Sequence[Carrier], contents: Contents, points: int = 100) -> tuple[Deviation, ...]:
+    """Compare each patch with the nearest face that was read back, on ``points`` squared points at mapped parameters.
+
+    Raises ValueError where the file holds another number of faces than the model has patches.
+    """
+    surfaces = [_surface(face.keys) for face in contents.faces if not face.problem]
+    if len(surfaces) != len(parts):
+        raise ValueError(f"reading back: expected {len(parts)} faces, found {len(surfaces)}")
+    u, v = grid(points, points)
+    result: list[Deviation] = []
+    for part in parts:
+        x, y = part.form.to_exact(u, v)
+        x, y = np.broadcast_arrays(x, y)
+        at = part.surface(u, v)
+        distance = min(float(np.sqrt(((other(x, y) - at) ** 2).sum(axis=-1)).max()) for other in surfaces)
+        result.append(Deviation(part.name, distance, distance / part.surface.size))
+    return tuple(result)
+
+
+def _surface(keys: dict[str, object]) -> Surface:
+    return Model.from_dict({"kind": "nurbs", **keys}).surface

@@ -1,0 +1,29 @@
+"""Models as TOML text: the few kinds of value that model files hold."""
+
+import json
+from typing import Any
+
+_WIDTH = 110
+
+
+def to_toml(keys: dict[str, Any], remarks: tuple[str, ...] = ()) -> str:
+    """Return the keys of a model file as TOML, ``patch`` as ``[[patch]]`` tables, remarks as comments on top."""
+    lines = [f"# {' '.join(remark.split())}" for remark in remarks]
+    lines += [_line(key, value) for key, value in keys.items() if key != "patch"]
+    for table in keys.get("patch", ()):
+        lines += ["", "[[patch]]", *(_line(key, value) for key, value in table.items())]
+    return "\n".join(lines) + "\n"
+
+
+def _line(key: str, value: Any) -> str:
+    return f"{key} = {_value(value, '')}"
+
+
+def _value(value: Any, indent: str) -> str:
+    """Return a value in one line where it fits, else one item a line; JSON's spelling of these values is TOML's."""
+    flat = json.dumps(value, ensure_ascii=False)
+    if not isinstance(value, list) or len(indent) + len(flat) <= _WIDTH:
+        return flat
+    inner = indent + "    "
+    items = ",\n".join(inner + _value(item, inner) for item in value)  # pyright: ignore[reportUnknownVariableType, reportUnknownArgumentType]
+    return f"[\n{items},\n{indent}]"
