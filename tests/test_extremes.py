@@ -45,6 +45,19 @@ def test_a_torus_has_circles_of_extremes():
     assert found["mean"].grid_mean != pytest.approx(-0.5, rel=1e-2)  # it depends on the parametrisation
 
 
+def test_rings_of_extremes_between_the_samples_do_not_hide_another():
+    # A cylinder over a curve with two bends: with few samples the sharper one looks blunter, and each is a whole line.
+    points = np.array([[0, 0], [0.2, 1.3], [2, 1], [3, 1.6], [4.1, 1.4], [4, 0]]) @ np.eye(2, 3)
+    surface = quintrig.ruled(points, points + np.array([0, 0, 3]), (0.3, 0.9, 0.3, 0.9))
+    curve = quintrig.Curve(points[:, :2], 0.3, 0.9)
+    bends = np.abs(curve.signed_curvature(np.linspace(0, 1, 200001)))
+    for samples in (7, 12, 20, 65):
+        found = find_extremes(surface, ("curvedness",), samples)["curvedness"].maximum
+        assert found.value == pytest.approx(bends.max() / np.sqrt(2), rel=1e-9)
+        assert not found.unique
+        assert found.v == 0
+
+
 @pytest.mark.parametrize("radius", [1e-3, 1.0, 1e3])
 def test_a_constant_is_told_as_one_that_is_not_unique(radius):
     found = find_extremes(quintrig.sphere(radius), ("gaussian", "mean"))["gaussian"]

@@ -23,7 +23,7 @@ from quintrig.surface import Surface
 Status = Literal["attained", "approached", "unbounded", "undefined"]
 """Attained at a point; only approached, or unbounded, beside points where there is no value; no value at all."""
 
-_CANDIDATES = 8  # local extremes of the samples that are refined
+_GROUPS = 12  # values of local extremes of the samples that are refined, at up to three places each
 _EQUAL = 1e-8  # values this close, relative to the natural size of the quantity, count as equal
 _ROUNDING = 1e-13
 _CANCELLED = 1e-10  # curvatures nowhere above this share of C or C² are rounding of zero
@@ -132,8 +132,8 @@ def _extreme(surface: Surface, key: str, values: FloatArray, sense: float, natur
     n = len(costs)
     if not np.isfinite(costs).any():
         return Extreme(np.nan, np.nan, np.nan, np.full(3, np.nan), False, "undefined")
-    starts = _local_minima(costs)
     largest = max(float(np.abs(costs[np.isfinite(costs)]).max()), natural)
+    starts = _local_minima(costs, largest)
     places, found, beside, growing = _refine(
         surface, key, sense, starts / (n - 1.0), costs[starts[:, 0], starts[:, 1]], 1.0 / (n - 1.0), largest
     )
@@ -169,17 +169,25 @@ def _first(places: FloatArray, found: FloatArray, among: BoolArray, rounding: fl
     return int(same[found[same] <= found[same].min() + rounding][0])
 
 
-def _local_minima(costs: FloatArray) -> NDArray[np.intp]:
-    """Return the indices (c, 2) of the least local minima among the samples, at most ``_CANDIDATES``."""
+def _local_minima(costs: FloatArray, scale: float) -> NDArray[np.intp]:
+    """Return the indices (c, 2) of the least local minima among the samples.
+
+    Of those with equal values, as on a ring of extremes, only the first, the middle and the last, so that others
+    that may prove deeper have room.
+    """
     n, m = costs.shape
     around = np.pad(costs, 1, constant_values=np.inf)
-    least = np.ones(costs.shape, dtype=np.bool_)
+    slack = _EQUAL * scale
+    least = np.isfinite(costs)
     for i in range(3):
         for j in range(3):
-            least &= costs <= around[i : i + n, j : j + m]
-    found = np.argwhere(least & np.isfinite(costs))
-    order = np.argsort(costs[found[:, 0], found[:, 1]], kind="stable")
-    return found[order[:_CANDIDATES]]
+            least &= costs <= around[i : i + n, j : j + m] + slack
+    found = np.argwhere(least)
+    values = costs[found[:, 0], found[:, 1]]
+    order = np.argsort(values, kind="stable")
+    groups = np.split(order, np.flatnonzero(np.diff(values[order]) > slack) + 1)
+    chosen = [np.sort(group)[sorted({0, len(group) // 2, len(group) - 1})] for group in groups[:_GROUPS]]
+    return found[np.concatenate(chosen)]
 
 
 def _refine(
