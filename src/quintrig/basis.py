@@ -180,12 +180,12 @@ def bernstein_series(x: FloatArray, rest: FloatArray, degree: int) -> FloatArray
 
 
 def _sines(t: FloatArray, order: int) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
-    """Return the series of sine and cosine of πt/2, 1 - sine and 1 - cosine, each without cancellation."""
+    """Return the series of sine and cosine of πt/2, 1 - sine and 1 - cosine; none cancels, the ends are exact."""
     sine, cosine = sin_cos(t)
     s, c = _rotation(sine, cosine, order), _rotation(cosine, -sine, order)
     a, b = -s, -c
-    a[0] = 2.0 * np.sin(0.25 * np.pi * (1.0 - t)) ** 2
-    b[0] = 2.0 * np.sin(0.25 * np.pi * t) ** 2
+    a[0] = np.where(t < 0.5, 1.0 - sine, 2.0 * np.sin(0.25 * np.pi * (1.0 - t)) ** 2)
+    b[0] = np.where(t < 0.5, 2.0 * np.sin(0.25 * np.pi * t) ** 2, 1.0 - cosine)
     return s, c, a, b
 
 
