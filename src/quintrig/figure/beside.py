@@ -12,11 +12,11 @@ from quintrig.classify import Thresholds
 from quintrig.figure.camera import BACK, SIDE, TOP
 from quintrig.figure.field import common_limits, facet_fields
 from quintrig.figure.flat import draw_colours, draw_map, draw_marks, dress, lines_note, map_axes, map_fields
-from quintrig.figure.frame import panel_size, point_length
+from quintrig.figure.frame import equal_scale, panel_size, stacked_scale
 from quintrig.figure.legend import draw_class_list, draw_key, key_height, list_height
 from quintrig.figure.palette import SERIES
 from quintrig.figure.scene import Box, Mark, Scene, bounds, share_outside
-from quintrig.figure.sheet import sheet
+from quintrig.figure.sheet import columns_for, sheet
 from quintrig.figure.space import draw_space
 from quintrig.figure.whole import panel_title, several
 from quintrig.figure.wording import note
@@ -40,7 +40,7 @@ def comparison(
     All have one scale of length and one of colour. ``columns`` 0 chooses: 2 for four surfaces, else up to 3.
     """
     scene = scene or Scene()
-    columns = max(1, min(columns or (2 if len(surfaces) == 4 else 3), len(surfaces)))
+    columns = columns_for(width, len(surfaces), columns or (2 if len(surfaces) == 4 else 3))
     fields = facet_fields(surfaces, key, scene.cells, thresholds)
     stretch = common_limits(fields)
     box = _union([bounds([surface], scene) for surface in surfaces])
@@ -76,7 +76,7 @@ def map_comparison(
     width: float = 9.0,
 ) -> Figure:
     """Return maps over (u, v) of one quantity on several surfaces, side by side on one scale of colour."""
-    columns = max(1, min(columns, len(surfaces)))
+    columns = columns_for(width, len(surfaces), columns)
     fields = map_fields(surfaces, key, thresholds=thresholds)
     stretch = common_limits(fields)
     side = (width - 0.2 - 0.12 * (columns - 1)) / columns
@@ -143,19 +143,20 @@ def projections(
     stretch = common_limits(fields)
     views = [replace(scene, view=view) for view in (SIDE, BACK, TOP)]
     box = bounds(patches, scene)
-    each = (width - 0.44) / 3
-    panel = (each, max(panel_size(view.view, *box, each, view.frame)[1] for view in views))
+    columns = 3 if columns_for(width, 3, 3) == 3 else 1
+    arrange, room = (equal_scale, width - 0.44) if columns == 3 else (stacked_scale, width - 0.2)
+    sizes, point = arrange([view.view for view in views], *box, room, scene.frame)
     page = sheet(
         3,
-        panel,
+        (0.0, max(height for _, height in sizes)),
+        columns=columns,
+        widths=[across for across, _ in sizes[:columns]],
         titles=[view.view.name[:1].upper() + view.view.name[1:] for view in views],
         title=title,
         note=note(patches, fields, unit, thresholds, share_outside(patches, box)),
         key="below" if fields else "none",
         key_size=key_height([fields], width),
     )
-    room = (72.0 * panel[0], 72.0 * panel[1])
-    point = max(point_length(view.view, *box, room, view.frame) for view in views)
     for area, view in zip(page.panels, views, strict=True):
         draw_space(area.axes(), patches, view, fields=fields, stretch=stretch, unit=unit, box=box, point=point)
     if fields:

@@ -27,6 +27,12 @@ def canonical_patch(k1: float, k2: float) -> Surface:
     return Surface(Net(points, Powers(-1.0, 1.0, 2)), Powers(-1.0, 1.0, 2))
 
 
+def scale_patch(index: float) -> Surface:
+    """Return the canonical patch of a shape index from -1 to +1, the normal towards the viewer being upwards."""
+    h, r = -np.sin(0.5 * np.pi * index), np.cos(0.5 * np.pi * index)
+    return canonical_patch(0.9 * (h + r), 0.9 * (h - r))
+
+
 def hk_table(width: float = 6.4) -> Figure:
     """Return the eight surface types in the table of the signs of H and K (Besl; thesis figures 2.6 and 3.5)."""
     left, head, foot, step = 0.62, 0.36, 0.3, (width - 0.72) / 3.0
@@ -50,7 +56,7 @@ def hk_table(width: float = 6.4) -> Figure:
             if code == 4:
                 _write(back, area.left + 0.5 * step, area.bottom + 0.5 * tall, "impossible:\n$H^2 \\geq K$", _SIZE)
             else:
-                k1, k2 = _curvatures(h, k, ends)
+                k1, k2 = tile_curvatures(h, k, ends)
                 _tile(area, canonical_patch(k1, k2), CLASS_COLOURS["hk_type"][code], HK_TYPES[code], _signs(k1, k2))
     for i in range(4):
         back.plot([left + i * step] * 2, [foot, height - 0.06], color="#dcdcdc", linewidth=0.7)
@@ -67,10 +73,8 @@ def shape_scale(width: float = 9.0) -> Figure:
     figure = new_figure(width, height)
     centres = np.linspace(-1.0, 1.0, 9)
     for index, s in enumerate(centres.tolist()):
-        h, r = -np.sin(0.5 * np.pi * s), np.cos(0.5 * np.pi * s)
-        patch = canonical_patch(0.9 * (h + r), 0.9 * (h - r))
         area = Area(figure, 0.2 + index * step, height - tall - 0.08, step, tall)
-        _draw_patch(area.axes(), patch, CLASS_COLOURS["shape_class"][index + 1])
+        _draw_patch(area.axes(), scale_patch(s), CLASS_COLOURS["shape_class"][index + 1])
     bar = Area(figure, 0.0, 0.0, width, 0.95).axes()
     bar.set_axis_off()
     bar.set_xlim(0.0, width)
@@ -89,7 +93,7 @@ def shape_scale(width: float = 9.0) -> Figure:
     return figure
 
 
-def _curvatures(h: int, k: int, ends: dict[int, tuple[float, float]]) -> tuple[float, float]:
+def tile_curvatures(h: int, k: int, ends: dict[int, tuple[float, float]]) -> tuple[float, float]:
     """Return typical k1, k2 for the signs of H and K."""
     if k > 0:
         return ends[h]

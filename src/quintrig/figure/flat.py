@@ -11,7 +11,7 @@ from quintrig.figure.edge import regression_parameters
 from quintrig.figure.field import Field, facet_fields, field, zero_lines
 from quintrig.figure.palette import INK, REGRESSION, UNDEFINED, Limits
 from quintrig.figure.scene import Mark
-from quintrig.figure.sheet import Area, Axes
+from quintrig.figure.sheet import Area, Axes, drawable
 from quintrig.surface import Surface
 
 _SIZE = 7.5
@@ -92,7 +92,7 @@ def draw_marks(axes: Axes, marks: Sequence[Mark]) -> None:
         axes.scatter(mark.u, mark.v, s=14, facecolor=INK, edgecolor="white", linewidth=0.7, zorder=5, clip_on=False)
         right, up = mark.u < 0.85, mark.v < 0.85
         axes.annotate(
-            mark.label,
+            drawable(mark.label),
             xy=(mark.u, mark.v),
             xytext=(4.0 if right else -4.0, 4.0 if up else -4.0),
             textcoords="offset points",

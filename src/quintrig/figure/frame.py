@@ -1,5 +1,6 @@
 """The stage of a 3-D picture: scale, box with ticks, and labels, drawn in the plane of the picture."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import product
 
@@ -12,7 +13,7 @@ from quintrig.arrays import FloatArray
 from quintrig.figure.camera import View
 from quintrig.figure.palette import INK
 from quintrig.figure.sheet import Axes, points_wide
-from quintrig.figure.wording import exponent, number_text, with_unit
+from quintrig.figure.wording import exponent, tick_texts, with_unit
 
 _MARGINS = (42.0, 30.0, 36.0, 8.0)  # points kept free for tick labels: left, right, bottom, top
 _NARROW = (34.0, 22.0, 36.0, 8.0)
@@ -70,16 +71,13 @@ def _corners(view: View, low: FloatArray, high: FloatArray) -> FloatArray:
 
 def box_outline(stage: Stage) -> FloatArray:
     """Return the outline (n, 2) of the box as seen, a little widened: what lies outside is cut off."""
-    corners = _corners(stage.view, stage.low, stage.high)
-    middle = corners.mean(axis=0)
-    outline = corners[ConvexHull(corners).vertices] if np.ptp(corners, axis=0).all() else corners[[0, 1, 3, 2]]
-    away = outline - middle
-    size = np.maximum(np.sqrt((away**2).sum(axis=1, keepdims=True)), stage.point)
-    return middle + away * (1.0 + 3.0 * stage.point / size)
+    rim = 3.0 * stage.point
+    corners = _corners(stage.view, stage.low - rim, stage.high + rim)
+    return corners[ConvexHull(corners).vertices]
 
 
 def panel_size(view: View, low: FloatArray, high: FloatArray, width: float, framed: bool) -> tuple[float, float]:
-    """Return the size in inches of a panel of this width that the box and its labels fill, neither strip nor tower."""
+    """Return the size in inches of a panel of this width that box and labels fill, within reason."""
     left, right, bottom, top = _margins(72.0 * width, framed)
     wide, tall = np.ptp(_corners(view, low, high), axis=0)
     shape = float(tall / wide) if wide > 0.0 else 1.0
@@ -87,12 +85,54 @@ def panel_size(view: View, low: FloatArray, high: FloatArray, width: float, fram
     return width, min(max(height, 0.42 * width), 1.15 * width)
 
 
+def equal_scale(
+    views: Sequence[View], low: FloatArray, high: FloatArray, width: float, framed: bool
+) -> tuple[list[tuple[float, float]], float]:
+    """Return panels (width, height) in inches that show a box in several views at one scale, and a point's length¹.
+
+    Side by side they are ``width`` inches wide; none is taller than 0.6 of that, or too narrow for its title.
+    """
+    seen = [np.ptp(_corners(view, low, high), axis=0) for view in views]
+    left, right, bottom, top = _MARGINS if framed else _BARE
+    least = 72.0 * min(1.9, width / len(views))
+    room = 72.0 * width - len(views) * (left + right)
+    point = max(
+        float(sum(wide for wide, _ in seen)) / max(room, 1.0),
+        float(max(tall for _, tall in seen)) / max(0.6 * 72.0 * width - bottom - top, 1.0),
+    )
+    point = point if point > 0.0 else 1.0
+    # Columns too narrow for their titles are widened at the cost of the scale.
+    for _ in range(300):
+        if sum(max(wide / point + left + right, least) for wide, _ in seen) <= 72.0 * width * 1.001:
+            break
+        point *= 1.02
+    sizes = [
+        (float(max(wide / point + left + right, least)) / 72.0, float(tall / point + bottom + top) / 72.0)
+        for wide, tall in seen
+    ]
+    return sizes, point
+
+
+def stacked_scale(
+    views: Sequence[View], low: FloatArray, high: FloatArray, width: float, framed: bool
+) -> tuple[list[tuple[float, float]], float]:
+    """Return the same for panels above each other, each ``width`` inches wide."""
+    sizes = [panel_size(view, low, high, width, framed) for view in views]
+    points = [
+        point_length(view, low, high, (72.0 * width, 72.0 * height), framed)
+        for view, (_, height) in zip(views, sizes, strict=True)
+    ]
+    return sizes, max(points)
+
+
 def draw_frame(stage: Stage, unit: str) -> None:
     """Draw the far sides of the box with a light grid, and ticks and names along its near edges."""
     towards = stage.view.axes[2]
     far = np.where(towards >= 0.0, stage.low, stage.high)
     near = np.where(towards > 0.0, stage.high, stage.low)
-    power = exponent(float(max(np.abs(stage.low).max(), np.abs(stage.high).max())))
+    largest = float(max(np.abs(stage.low).max(), np.abs(stage.high).max()))
+    extent = float(np.max(stage.high - stage.low))
+    power = exponent(largest if largest < 100.0 * extent else extent)  # far from the origin every digit counts
     ticks = [_ticks(stage, axis) for axis in range(3)]
     _sides(stage, far, ticks)
     for axis, edge in enumerate(_edges(stage, far, near)):
@@ -169,10 +209,9 @@ def _scale(stage: Stage, axis: int, edge: FloatArray, ticks: FloatArray, taken: 
     narrow = points_wide(stage.axes)[0] < _SMALL
     small, large = (_TICK - 0.8, _NAME - 1.0) if narrow else (_TICK, _NAME)
     widest = 0.0
-    for place, value in zip(at, ticks.tolist(), strict=True):
+    for place, value, text in zip(at, ticks.tolist(), tick_texts(ticks.tolist(), power), strict=True):
         if abs(value - taken) * room < 14.0:
             continue
-        text = number_text(value, power)
         half = np.array([0.30 * small * len(text), 0.45 * small])
         away = 5.0 + float(np.abs(outwards) @ half)
         widest = max(widest, away + float(np.abs(outwards) @ half))

@@ -10,8 +10,8 @@ from matplotlib.ticker import MaxNLocator
 
 from quintrig.figure.field import Field
 from quintrig.figure.palette import CLASS_COLOURS, INK, UNDEFINED, Limits, colour_map
-from quintrig.figure.sheet import Area, Axes
-from quintrig.figure.wording import exponent, number_text, quantity_label
+from quintrig.figure.sheet import Area, Axes, drawable
+from quintrig.figure.wording import exponent, number_text, quantity_label, tick_texts
 from quintrig.quantity import Quantity
 
 _SIZE = 7.5
@@ -101,7 +101,7 @@ def _swatch(axes: Axes, x: float, y: float, name: str, colour: str) -> None:
 
 
 def _write(axes: Axes, x: float, y: float, text: str, size: float) -> None:
-    axes.text(x, y, text, fontsize=size, color=INK, ha="left", va="center_baseline")
+    axes.text(x, y, drawable(text), fontsize=size, color=INK, ha="left", va="center_baseline")
 
 
 def _upright_bar(area: Area, q: Quantity, stretch: Limits, unit: str) -> None:
@@ -153,7 +153,7 @@ def _bar(axes: Any, q: Quantity, stretch: Limits, orientation: str) -> int:
         values = MaxNLocator(nbins=5, steps=[1, 2, 2.5, 5, 10]).tick_values(stretch.low, stretch.high)
         slack = 1e-9 * (stretch.high - stretch.low)
         ticks = [float(t) for t in values if stretch.low - slack <= t <= stretch.high + slack]
-        texts = [number_text(t, power) for t in ticks]
+        texts = tick_texts(ticks, power)
     bar.set_ticks(ticks, labels=texts)
     bar.ax.tick_params(labelsize=_SIZE, labelcolor=INK, length=2.5, width=0.5, color="#8a8a8a", pad=2.0)
     bar.ax.minorticks_off()

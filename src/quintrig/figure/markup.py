@@ -12,6 +12,7 @@ from quintrig.figure.frame import Stage
 from quintrig.figure.palette import INK
 from quintrig.figure.scene import Mark
 from quintrig.figure.shade import Paint, strokes
+from quintrig.figure.sheet import drawable
 from quintrig.sample import analyse
 from quintrig.surface import Surface
 
@@ -95,7 +96,7 @@ def draw_marks(stage: Stage, surface: Surface, marks: Sequence[Mark], meshes: li
 
 def _label(stage: Stage, place: FloatArray, text: str, shown: float) -> None:
     stage.axes.annotate(
-        text,
+        drawable(text),
         xy=place,
         xytext=(3.5, 3.5),
         textcoords="offset points",

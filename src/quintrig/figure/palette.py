@@ -156,7 +156,9 @@ def _ranged(values: FloatArray, scale: float) -> tuple[float, float]:
     if high - low >= least and high > low:
         return low, high
     # Constant to rounding: one colour from the middle of the map.
-    half = 0.5 * abs(middle) if abs(middle) > NOISE * scale else (scale or 1.0)
+    if abs(middle) <= NOISE * scale or middle == 0.0:
+        return 0.0, scale or 1.0
+    half = 0.5 * abs(middle)
     return middle - half, middle + half
 
 

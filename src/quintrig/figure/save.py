@@ -1,7 +1,6 @@
 """Figures to bytes and files: PNG, SVG and PDF, the same bytes each time from the same figure."""
 
 import io
-import threading
 from pathlib import Path
 from typing import Any
 
@@ -9,6 +8,7 @@ import matplotlib
 from matplotlib.figure import Figure
 
 from quintrig.errors import QuintrigError
+from quintrig.figure.sheet import ONE_AT_A_TIME
 from quintrig.files import write_whole
 
 KINDS = ("png", "svg", "pdf")
@@ -22,9 +22,6 @@ _UNDATED: dict[str, dict[str, None]] = {
     "svg": {"Date": None},
     "pdf": {"CreationDate": None},
 }
-
-# Identifiers in SVG are set through matplotlib's global settings, which are not safe to change from two threads.
-_ONE_AT_A_TIME = threading.Lock()
 
 
 def save(figure: Figure, path: str | Path, dpi: int = DPI) -> Path:
@@ -54,7 +51,8 @@ def to_bytes(figure: Figure, kind: str, dpi: int = DPI) -> bytes:
     buffer = io.BytesIO()
     drawn: Any = figure  # its stubs leave arguments untyped
     library: Any = matplotlib
-    with _ONE_AT_A_TIME, library.rc_context({"svg.hashsalt": "quintrig", "svg.fonttype": "path"}):
+    # The lock also guards matplotlib's global settings, through which identifiers in SVG are set.
+    with ONE_AT_A_TIME, library.rc_context({"svg.hashsalt": "quintrig", "svg.fonttype": "path"}):
         drawn.savefig(buffer, format=kind, dpi=dpi, metadata=_UNDATED[kind])
     return buffer.getvalue()
 

@@ -10,6 +10,8 @@ from quintrig.figure.camera import ISO, View
 from quintrig.figure.palette import INK
 from quintrig.surface import Surface
 
+_NOISE = 1e-12
+
 Box = tuple[FloatArray, FloatArray]
 """Lower and upper corner (3,) of what is framed, length¹."""
 
@@ -73,7 +75,10 @@ def bounds(surfaces: Sequence[Surface], scene: Scene) -> Box:
     if not clouds:
         return np.zeros(3), np.ones(3)
     cloud = np.concatenate(clouds)
-    return np.nanmin(cloud, axis=0), np.nanmax(cloud, axis=0)
+    low, high = np.nanmin(cloud, axis=0), np.nanmax(cloud, axis=0)
+    if np.linalg.norm(high - low) <= _NOISE * np.abs(cloud).max(initial=0.0):
+        return low, low.copy()  # one point, to rounding
+    return low, high
 
 
 def share_outside(surfaces: Sequence[Surface], box: Box) -> float:
@@ -94,6 +99,7 @@ def _robust(points: FloatArray) -> FloatArray:
 
 def inside(points: FloatArray, box: Box) -> BoolArray:
     """Return which points (..., 3) lie in the box, to a small tolerance."""
-    slack = 0.02 * float(np.linalg.norm(box[1] - box[0]))  # the box comes from fewer points
+    # The box comes from fewer points.
+    slack = 0.02 * float(np.linalg.norm(box[1] - box[0])) + _NOISE * float(np.abs(box).max())
     fits: BoolArray = np.all((points >= box[0] - slack) & (points <= box[1] + slack), axis=-1)
     return fits

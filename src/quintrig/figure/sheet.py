@@ -1,17 +1,22 @@
 """The page of a figure: panels in rows, room for titles, keys and the note, all in inches so that nothing overlaps."""
 
 import textwrap
+import threading
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.mathtext import MathTextParser
 
 from quintrig.figure.palette import INK
 
 Axes = Any
 """matplotlib's axes. Its own type leaves keyword arguments untyped, which strict checking refuses."""
+
+ONE_AT_A_TIME = threading.Lock()
+"""Held while texts are set: matplotlib's setting of formulas goes wrong when two threads enter it at once."""
 
 KeyPlace = Literal["none", "right", "below", "each"]
 
@@ -53,6 +58,7 @@ def sheet(
     count: int,
     panel: tuple[float, float],
     *,
+    widths: Sequence[float] = (),
     columns: int = 3,
     titles: Sequence[str] = (),
     title: str = "",
@@ -60,7 +66,7 @@ def sheet(
     key: KeyPlace = "none",
     key_size: float = 0.55,
 ) -> Sheet:
-    """Lay out ``count`` panels of ``panel`` inches.
+    """Lay out ``count`` panels of ``panel`` inches; ``widths`` gives each column its own width.
 
     ``key`` puts one key to the right or below, or one below each panel; ``key_size`` is its width or height in inches.
     """
@@ -69,7 +75,8 @@ def sheet(
     gap = 0.12
     head = 0.24 if any(titles) else 0.0
     foot = key_size if key == "each" else 0.0
-    width = columns * panel[0] + (columns - 1) * gap + 2 * _EDGE + (key_size if key == "right" else 0.0)
+    across = list(widths) or [panel[0]] * columns
+    width = sum(across) + (columns - 1) * gap + 2 * _EDGE + (key_size if key == "right" else 0.0)
     titled, noted = _wrapped(title, width, _TITLE), _wrapped(note, width, _NOTE)
     top = _EDGE + 0.22 * len(titled) * (_TITLE / 11.0) + (0.05 if titled else 0.0)
     bottom = _EDGE + 0.145 * len(noted) + (0.05 if noted else 0.0)
@@ -82,19 +89,24 @@ def sheet(
     keys: list[Area] = []
     for index in range(count):
         row, column = divmod(index, columns)
-        left = _EDGE + column * (panel[0] + gap)
+        left = _EDGE + sum(across[:column]) + column * gap
         ceiling = height - top - row * (head + panel[1] + foot + gap)
-        panels.append(Area(figure, left, ceiling - head - panel[1], *panel))
+        panels.append(Area(figure, left, ceiling - head - panel[1], across[column], panel[1]))
         if key == "each":
-            keys.append(Area(figure, left, ceiling - head - panel[1] - foot, panel[0], foot))
+            keys.append(Area(figure, left, ceiling - head - panel[1] - foot, across[column], foot))
         if index < len(titles):
-            x = (left + 0.5 * panel[0]) / width
+            x = (left + 0.5 * across[column]) / width
             _text(figure, x, (ceiling - 0.03) / height, titles[index], _PANEL_TITLE, "top", "normal", "center")
     if key == "right":
         keys.append(Area(figure, width - _EDGE - key_size, bottom, key_size, height - top - bottom))
     if key == "below":
         keys.append(Area(figure, _EDGE, bottom, width - 2 * _EDGE, key_size))
     return Sheet(figure, tuple(panels), tuple(keys))
+
+
+def columns_for(width: float, count: int, wanted: int) -> int:
+    """Return how many columns to lay out: those wanted, but each at least two inches wide."""
+    return max(1, min(wanted, count, int(width / 2.0)))
 
 
 def new_figure(width: float, height: float) -> Figure:
@@ -119,5 +131,18 @@ def _wrapped(text: str, width: float, size: float) -> list[str]:
 def _text(
     figure: Any, x: float, y: float, text: str, size: float, anchor: str, weight: str, side: str = "left"
 ) -> None:
+    text = drawable(text)
     if text:
         figure.text(x, y, text, fontsize=size, color=INK, va=anchor, ha=side, fontweight=weight, linespacing=1.25)
+
+
+def drawable(text: str) -> str:
+    """Return a text that matplotlib can draw: where its dollar signs enclose no formula they are plain letters."""
+    clean = "".join(c for c in text if c == "\n" or c.isprintable())
+    try:
+        with ONE_AT_A_TIME:
+            for line in clean.splitlines():
+                MathTextParser("path").parse(line)
+    except ValueError:
+        return clean.replace("$", "\\$")
+    return clean

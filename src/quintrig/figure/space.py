@@ -73,7 +73,7 @@ def draw_space(
             if surface.net is not None:
                 paints += draw_net(surface.net, stage, meshes)
     _paint(stage, joined(paints))
-    for surface in surfaces[:1] if scene.normal else ():
+    for surface in surfaces if scene.normal else ():
         draw_normal(stage, surface, meshes)
     if scene.marks and surfaces:
         draw_marks(stage, surfaces[0], scene.marks, meshes)

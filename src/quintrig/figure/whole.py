@@ -11,7 +11,7 @@ from quintrig.figure.flat import draw_map, lines_note, map_axes, map_fields
 from quintrig.figure.frame import panel_size
 from quintrig.figure.legend import draw_class_list, draw_key, key_height, key_width
 from quintrig.figure.scene import Mark, Scene, bounds, share_outside
-from quintrig.figure.sheet import KeyPlace, sheet
+from quintrig.figure.sheet import KeyPlace, columns_for, sheet
 from quintrig.figure.space import draw_space
 from quintrig.figure.wording import note, quantity_label
 from quintrig.quantity import quantity
@@ -91,7 +91,7 @@ def panels(
     """
     patches = several(surfaces)
     scene = scene or Scene(normal=None in keys)
-    columns = max(1, min(columns, len(keys)))
+    columns = columns_for(width, len(keys), columns)
     box = bounds(patches, scene)
     panel = panel_size(scene.view, *box, (width - 0.2 - 0.12 * (columns - 1)) / columns, scene.frame)
     every = [facet_fields(patches, key, scene.cells, thresholds) for key in keys]
@@ -129,7 +129,7 @@ def map_panels(
 ) -> Figure:
     """Return maps of several quantities over (u, v), each with its own key."""
     every = [map_fields([surface], key, thresholds=thresholds) for key in keys]
-    columns = max(1, min(columns, len(keys)))
+    columns = columns_for(width, len(keys), columns)
     side = (width - 0.2 - 0.12 * (columns - 1)) / columns
     drawn = [fields[0] for fields in every]
     page = sheet(

@@ -27,10 +27,29 @@ def number_text(value: float, power: int = 0) -> str:
     return "0" if text in ("-0", "0") else text.replace("-", "−")
 
 
+def tick_texts(values: Sequence[float], power: int = 0) -> list[str]:
+    """Return evenly spaced values / 10^power with just the decimals that tell them apart."""
+    scaled = [value / 10.0**power for value in values]
+    if len(scaled) < 2:
+        return [number_text(value) for value in scaled]
+    step = abs(scaled[1] - scaled[0])
+    for decimals in range(13):
+        if all(abs(round(value, decimals) - value) <= 1e-3 * step for value in scaled):
+            texts = [f"{round(value, decimals) + 0.0:.{decimals}f}" for value in scaled]
+            texts = [text.rstrip("0").rstrip(".") if decimals else text for text in texts]
+            return [text.replace("-", "−") for text in texts]
+    return [number_text(value) for value in scaled]
+
+
+def plain(text: str) -> str:
+    """Return a user's text so that its dollar signs are drawn and enclose no formula."""
+    return text.replace("$", "\\$")
+
+
 def with_unit(name: str, unit: str, power: int = 0) -> str:
     """Return a name with its unit and the power of ten taken out, such as ``x (10⁻³ mm)``."""
     ten = f"10{str(power).translate(_RAISED)}" if power else ""
-    inside = f"{ten} {unit}".strip() if unit else (f"× {ten}" if ten else "")
+    inside = f"{ten} {plain(unit)}".strip() if unit else (f"× {ten}" if ten else "")
     return f"{name} ({inside})" if inside else name
 
 
@@ -59,11 +78,11 @@ def note(
         way = ways.pop() if len(ways) == 1 else "normals along $S_u{\\times}S_v$ on some patches, turned on others"
         parts.append(way[0].upper() + way[1:])
     if surfaces:
-        parts.append(f"lengths in {unit}" if unit else "no unit of length given")
+        parts.append(f"lengths in {plain(unit)}" if unit else "no unit of length given")
     grey = sum(int(np.count_nonzero(f.undefined)) for f in fields)
     if grey:
         total = sum(f.values.size for f in fields)
-        share = f"{100.0 * grey / total:.2g} % of the cells" if grey > 1e-3 * total else f"{grey} of {total} cells"
+        share = f"{100.0 * grey / total:.3g} % of the cells" if grey > 1e-3 * total else f"{grey} of {total} cells"
         parts.append(f"grey: undefined ({share})")
     if any(f.quantity.colour == "classes" for f in fields):
         t = thresholds or Thresholds()
@@ -71,7 +90,7 @@ def note(
     text = "; ".join(parts)
     warnings = [regression_note(surface) for surface in surfaces]
     if outside > 0.0:
-        warnings.append(f"{max(100.0 * outside, 0.1):.2g} % of the surface lies far outside the box and is not drawn")
+        warnings.append(f"{max(100.0 * outside, 0.1):.3g} % of the surface lies far outside the box and is not drawn")
     return ". ".join([part for part in [text, *warnings] if part])
 
 
