@@ -54,7 +54,11 @@ class Curve:
 
     def derivatives(self, t: ArrayLike, order: int) -> FloatArray:
         """Return derivatives 0 to ``order`` by t, shape (order + 1, *t.shape, 2 or 3), length¹."""
-        return self.functions.derivatives(parameter(t, "t"), whole(order, "order", 0)) @ self.points
+        functions = self.functions.derivatives(parameter(t, "t"), whole(order, "order", 0))
+        # The derivatives of a basis sum to 0, so that far from the origin they need not see how far.
+        result = functions @ (self.points - self.points[0])
+        result[0] = functions[0] @ self.points
+        return result
 
     def curvature(self, t: ArrayLike) -> FloatArray:
         """Return the curvature |z' x z''| / |z'|³ >= 0, shape t.shape, length⁻¹; NaN where the speed vanishes."""
@@ -108,7 +112,8 @@ class Curve:
         bend = second / speed**2 - first * ((first * second).sum(axis=-1, keepdims=True) / speed**4)
         if scale == "auto":
             longest = np.nanmax(_norm(bend), initial=0.0)
-            scale = 0.25 * self._polygon() / longest if longest > 0.0 else 0.0
+            straight = longest * self._polygon() <= 1e-10  # no teeth made of rounding
+            scale = 0.0 if straight else 0.25 * self._polygon() / longest
         return point - number(scale, "scale") * bend
 
     def _polygon(self) -> float:
