@@ -18,6 +18,7 @@ CHAPTERS = {
         "ruled",
         "developable",
         "regression",
+        "nurbs",
         "Surface",
     ),
     "Reference surfaces": (
@@ -32,7 +33,8 @@ CHAPTERS = {
         "monkey_saddle",
         "enneper",
     ),
-    "Analysis": ("grid", "analyse", "Sample", "Thresholds"),
+    "Analysis": ("grid", "analyse", "Sample", "Thresholds", "analyse_blocks"),
+    "Summaries": ("summarise", "integrals", "find_extremes", "compare_methods", "check_hull", "check_curve_hull"),
     "Models": ("load", "Model", "ModelError"),
 }
 """Public names by chapter; names that are in none come last."""

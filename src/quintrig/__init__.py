@@ -7,6 +7,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from quintrig.agreement import compare_methods as compare_methods
     from quintrig.classify import Thresholds as Thresholds
     from quintrig.construct import ruled as ruled
     from quintrig.construct import swept as swept
@@ -17,8 +18,13 @@ if TYPE_CHECKING:
     from quintrig.envelope import developable as developable
     from quintrig.envelope import regression as regression
     from quintrig.errors import ModelError as ModelError
+    from quintrig.extremes import find_extremes as find_extremes
+    from quintrig.hull import check_curve_hull as check_curve_hull
+    from quintrig.hull import check_hull as check_hull
+    from quintrig.integrate import integrals as integrals
     from quintrig.model import Model as Model
     from quintrig.model import load as load
+    from quintrig.nurbs import nurbs as nurbs
     from quintrig.reference import catenoid as catenoid
     from quintrig.reference import cone as cone
     from quintrig.reference import cylinder as cylinder
@@ -32,11 +38,20 @@ if TYPE_CHECKING:
     from quintrig.sample import Sample as Sample
     from quintrig.sample import analyse as analyse
     from quintrig.sample import grid as grid
+    from quintrig.stream import analyse_blocks as analyse_blocks
+    from quintrig.summary import summarise as summarise
     from quintrig.surface import Surface as Surface
 
 __version__ = "0.1.0"
 
 _HOME = {
+    "agreement": ("compare_methods",),
+    "extremes": ("find_extremes",),
+    "hull": ("check_curve_hull", "check_hull"),
+    "integrate": ("integrals",),
+    "summary": ("summarise",),
+    "stream": ("analyse_blocks",),
+    "nurbs": ("nurbs",),
     "classify": ("Thresholds",),
     "construct": ("ruled", "swept", "swung", "symmetric", "tensor"),
     "curve": ("Curve",),

@@ -37,14 +37,12 @@ from quintrig.correspondence import (
     UNDEFINED,
 )
 from quintrig.integrate import area_weights, orientation
+from quintrig.invariants import VERTICAL
 from quintrig.quantity import mirrored
 from quintrig.sample import analyse, grid
 from quintrig.surface import Surface
 
 Counts = NDArray[np.int64]
-
-VERTICAL = 1e-9
-"""The tangent plane counts as vertical where |n_z| is at most this: the invariants are infinite there."""
 
 
 @dataclass(frozen=True)

@@ -10,6 +10,7 @@ from quintrig.basis import SHAPE_RANGE, Bernstein, Trigonometric
 from quintrig.envelope import regression
 from quintrig.extremes import Extremes
 from quintrig.functions import Functions, Joined
+from quintrig.invariants import VERTICAL
 from quintrig.quantity import quantity
 from quintrig.sample import SINGULAR, Sample
 from quintrig.surface import Net, Surface
@@ -220,7 +221,7 @@ def _folds(sample: Sample) -> list[str]:
 
 
 def _vertical(sample: Sample) -> list[str]:
-    count = int((np.abs(sample.normal[..., 2]) <= 1e-9).sum())
+    count = int((np.abs(sample.normal[..., 2]) <= VERTICAL).sum())
     if not count:
         return []
     return [

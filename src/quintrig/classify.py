@@ -55,6 +55,10 @@ INVARIANT_TYPES = (
 """What the signs of β1 and β2 say of the height field, numbered like Besl's types (β1 for H, β2 for K)."""
 
 
+LEAST_THRESHOLD = 1e-12
+"""Below this, rounding decides: a plane would get shapes."""
+
+
 @dataclass(frozen=True)
 class Thresholds:
     """When a curvature counts as zero.
@@ -62,7 +66,7 @@ class Thresholds:
     A point is flat where C times the surface's ``size`` (diagonal of its bounding box) is at most ``flat``. Elsewhere
     K is zero where |K| <= ``relative`` C², H where |H| <= ``relative`` C, and κ1 = κ2 where (κ1 - κ2)/2 <= ``relative``
     C. Both are pure numbers, so the classes do not change with the unit or the size. Raises ValueError for values
-    outside (0, 0.1].
+    outside [1e-12, 0.1].
     """
 
     relative: float = 1e-6
@@ -72,11 +76,13 @@ class Thresholds:
         """Check both once, at birth."""
         for name in ("relative", "flat"):
             value = number(getattr(self, name), name)
-            if not 0.0 < value <= 0.1:
-                raise ValueError(f"{name}: expected a number greater than 0 and at most 0.1, found {value:g}")
+            if not LEAST_THRESHOLD <= value <= 0.1:
+                raise ValueError(f"{name}: expected a number from {LEAST_THRESHOLD:g} to 0.1, found {value:g}")
 
     def describe(self, size: float, unit: str = "") -> str:
         """Return the thresholds in words, for a surface of this size (length¹)."""
+        if not size > 0.0:
+            return "none: the surface is a single point"
         per = f" 1/{unit}" if unit else ""
         return (
             f"flat where the curvedness C <= {self.flat / size:.3g}{per} ({self.flat:g} / size); elsewhere K = 0 means "

@@ -16,7 +16,18 @@ import numba
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
-SOURCES = ("blocks", "classify", "compiled", "contraction", "curvature", "invariants", "kernel", "planes", "quantity", "sweep/summarise")
+SOURCES = (
+    "blocks",
+    "classify",
+    "compiled",
+    "contraction",
+    "curvature",
+    "invariants",
+    "kernel",
+    "planes",
+    "quantity",
+    "sweep/summarise",
+)
 """Modules whose text goes into compiled code."""
 
 _config = cast(Any, numba).config

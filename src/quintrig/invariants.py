@@ -10,6 +10,9 @@ invariant is one of the Γ, K or H times a power of n_z. None depends on the sid
 
 from quintrig.compiled import scalar
 
+VERTICAL = 1e-9
+"""At or below this |n_z| the tangent plane counts as vertical: what is left of n_z after rounding means nothing."""
+
 Six = tuple[float, float, float, float, float, float]
 
 
@@ -26,9 +29,9 @@ def slope_forms(a: float, b: float, c: float, z1: float, z2: float, sign: float)
 def planar(gamma1: float, gamma2: float, gamma3: float, slope: float, mean: float, gaussian: float, nz: float) -> Six:
     """Return β0, β1, β2, γ1, γ2, γ3 in the metric of the horizontal plane; ``slope`` is 1 - n_z² = z1² + z2².
 
-    The definition for a height field, in any parametrisation; infinite or NaN where n_z = 0.
+    The definition for a height field, in any parametrisation; infinite or NaN where |n_z| <= ``VERTICAL``.
     """
-    i = 1.0 / nz
+    i = 1.0 / (nz if abs(nz) > VERTICAL else 0.0)
     i2 = i * i
     i3 = i2 * i
     return (

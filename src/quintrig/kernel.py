@@ -66,7 +66,6 @@ def driver(size: int, functions: int, full: bool, simple: bool) -> Driver:
     stride, step = (1, 0) if functions == 0 else (BLOCK, 1)
     terms = 3 * size
 
-
     @loop
     def drive(
         rows: FloatArray,

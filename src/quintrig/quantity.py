@@ -54,7 +54,7 @@ def _invariants(suffix: str, mark: str, metric: str) -> tuple[Quantity, ...]:
         ("beta2", "β2", r"\beta_2", "Hessian determinant", "dome or bowl (+), developable (0), saddle (-)", -2),
         ("gamma1", "γ1", r"\gamma_1", "bending along steepest descent", "convex (+) or concave (-) downhill", -1),
         ("gamma2", "γ2", r"\gamma_2", "twist of steepest descent", "0 on crest and trough lines", -1),
-        ("gamma3", "γ3", r"\gamma_3", "bending along the contour", "contour bends uphill (+) or downhill (-)", -1),
+        ("gamma3", "γ3", r"\gamma_3", "bending along the contour", "hollow (+) or spur (-): rises or falls to both sides along the contour", -1),
     )
     return tuple(
         Quantity(
