@@ -62,10 +62,11 @@ def draw_space(
             paints += lines
         else:
             paints += layer + lines
+    # A curve on the surface lies over its edges too.
+    lift = 1.8 * max((_facet_size(mesh) for mesh in meshes), default=0.0)
+    step = STROKE * stage.point
     for trace in scene.traces:
-        paints.append(
-            strokes(trace.points, scene.view, trace.colour, trace.width, STROKE * stage.point, 0.0, trace.dashed)
-        )
+        paints.append(strokes(trace.points, scene.view, trace.colour, trace.width, step, lift, trace.dashed))
         if trace.polygon:
             draw_dots(stage, trace.points, meshes, trace.colour)
     if scene.net:
