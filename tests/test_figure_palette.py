@@ -4,7 +4,7 @@ import itertools
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from matplotlib.colors import to_rgb
 
@@ -89,6 +89,7 @@ def test_undefined_values_are_grey_and_nothing_else_is():
 finite = st.lists(st.floats(-1e6, 1e6, allow_subnormal=False), min_size=1, max_size=60).map(np.array)
 
 
+@settings(deadline=None)
 @given(finite, st.floats(0.0, 1e3))
 def test_limits_with_a_sign_are_centred_and_count_what_they_clip(values, scale):
     found = palette.limits(values, quantity("gaussian"), scale)
@@ -97,6 +98,7 @@ def test_limits_with_a_sign_are_centred_and_count_what_they_clip(values, scale):
     assert found.clipped_share <= 0.05 + 1.0 / len(values)
 
 
+@settings(deadline=None)
 @given(finite, st.floats(0.0, 1e3))
 def test_limits_without_a_sign_count_what_they_clip(values, scale):
     values = np.abs(values)
@@ -106,6 +108,7 @@ def test_limits_without_a_sign_count_what_they_clip(values, scale):
     assert found.above == np.mean(values > found.high)
 
 
+@settings(deadline=None)
 @given(finite, st.integers(-30, 30))
 def test_limits_scale_with_the_quantity(values, power):
     for key in ("mean", "curvedness"):
@@ -115,6 +118,7 @@ def test_limits_scale_with_the_quantity(values, power):
         assert other.clipped_share == pytest.approx(one.clipped_share)
 
 
+@settings(deadline=None)
 @given(finite, finite)
 def test_common_limits_are_those_of_all_values_together(first, second):
     k = quantity("gaussian")

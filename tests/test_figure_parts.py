@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from matplotlib.colors import to_rgb
 
@@ -30,6 +30,7 @@ def patch(corner, side=(1.0, 0.0, 0.0), up=(0.0, 1.0, 0.0)) -> Surface:
 # --- camera ---------------------------------------------------------------------------------------------------------
 
 
+@settings(deadline=None)
 @given(angles, st.floats(-90.0, 90.0))
 def test_a_view_is_a_rotation(azimuth, elevation):
     axes = camera.View("", azimuth, elevation).axes
@@ -203,6 +204,7 @@ def test_a_narrow_peak_is_not_cut():
 # --- words ----------------------------------------------------------------------------------------------------------
 
 
+@settings(deadline=None)
 @given(st.floats(-1e9, 1e9), st.integers(-9, 9), st.integers(2, 6))
 def test_ticks_that_differ_are_written_differently(start, power, count):
     step = 10.0**power * max(1.0, abs(start) * 1e-9)
@@ -274,6 +276,7 @@ def test_a_curve_is_drawn_in_its_own_kind_of_space():
         curve.space_curves([spatial, plane])
 
 
+@settings(deadline=None)
 @given(st.floats(-3.0, 3.0), st.floats(-3.0, 3.0))
 def test_a_canonical_patch_has_the_curvatures_it_is_named_for(first, second):
     k1, k2 = max(first, second), min(first, second)
