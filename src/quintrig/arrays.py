@@ -52,9 +52,10 @@ def parameter(values: ArrayLike, name: str) -> FloatArray:
     if array.size and not (array.min() >= 0.0 and array.max() <= 1.0):
         wrong = np.argwhere(~((array >= 0.0) & (array <= 1.0)))
         place = "".join(f"[{i}]" for i in wrong[0])
-        found = array[tuple(wrong[0])]
+        found = float(array[tuple(wrong[0])])
+        told = f"{found:g}" if float(f"{found:g}") == found or np.isnan(found) else repr(found)
         raise ValueError(
-            f"{name}{place} = {found:.17g} is outside the domain [0, 1] ({len(wrong)} such); "
+            f"{name}{place} = {told} is outside the domain [0, 1] ({len(wrong)} such); "
             "surfaces and curves are not extended beyond it: clip or leave out these parameters"
         )
     return array

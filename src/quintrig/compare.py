@@ -44,14 +44,15 @@ def standard_shapes(patch: Patch) -> tuple[tuple[float, ...], ...]:
     return FOUR_SETS if len(patch.shape) == 4 else TWO_SETS
 
 
-def variants(patch: Patch, shapes: Sequence[Sequence[float]], unit: str = "") -> tuple[Variant, ...]:
-    """Return the patch with each of several sets of shape parameters.
-
-    Raises ModelError where the kind has no shape parameters, or they do not fit.
-    """
+def with_shapes(patch: Patch, shapes: Sequence[Sequence[float]]) -> tuple[Patch, ...]:
+    """Return the patch with each of several sets of shape parameters; ModelError where they do not fit or act."""
     _check(patch)
-    changed = [patch.with_shape(shape) for shape in shapes]
-    return tuple(Variant(one.shape, one, summarise(one.surface, unit)) for one in changed)
+    return tuple(patch.with_shape(shape) for shape in shapes)
+
+
+def variant(patch: Patch, unit: str = "") -> Variant:
+    """Return a patch with its shape parameters and its summary."""
+    return Variant(patch.shape, patch, summarise(patch.surface, unit))
 
 
 def intensities(found: Sequence[Variant], title: str = "") -> Table:
@@ -60,31 +61,34 @@ def intensities(found: Sequence[Variant], title: str = "") -> Table:
     What grows without bound beside a singular point is infinite, what is undefined NaN; the notes say why.
     """
     unit = found[0].summary.unit
-    labels = tuple(variant.label for variant in found)
+    labels = tuple(one.label for one in found)
     columns = [Column("shape", "shape", r"\mathrm{shape}", "shape parameters", "", labels, labels)]
     for key in _INTENSITIES:
         q = BY_KEY[key]
-        every = [variant.summary.extremes[key] for variant in found]
+        every = [one.summary.extremes[key] for one in found]
         for end, latex, values in (
             ("min", rf"{q.latex}_{{\min}}", [_end(one.minimum, -math.inf) for one in every]),
             ("max", rf"{q.latex}_{{\max}}", [_end(one.maximum, math.inf) for one in every]),
             ("mean", rf"\overline{{{q.latex}}}", [_integral(one.mean) for one in every]),
         ):
             words = (f"{key}_{end}", f"{q.symbol} {end}", latex, f"{q.name}, {end}")
-            columns.append(Column(*words, q.unit(unit), tuple(values), _rounded(values, found, q.power)))
+            columns.append(Column(*words, q.unit(unit), tuple(values), _rounded(values, found, -q.power, False)))
     for q in INTEGRALS:
-        values = tuple(_integral(variant.summary.integrals[q.key]) for variant in found)
+        values = tuple(_integral(one.summary.integrals[q.key]) for one in found)
         short = len(q.symbol) < 8
         words = (q.key, q.symbol if short else q.name, q.latex if short else rf"\mbox{{{q.name}}}", q.name)
-        columns.append(Column(*words, q.unit(unit), values, _rounded(values, found, q.power - 2)))
+        columns.append(Column(*words, q.unit(unit), values, _rounded(values, found, 2 - q.power, True)))
     return Table(title, _notes(found), tuple(columns), lead=1)
 
 
-def _rounded(values: Sequence[float], found: Sequence[Variant], power: int) -> tuple[float, ...]:
-    """Return the values with 0 in place of what is rounding beside the largest curvature, all of them to a power."""
-    if power >= 0:
+def _rounded(values: Sequence[float], found: Sequence[Variant], power: int, integral: bool) -> tuple[float, ...]:
+    """Return the values with 0 for what is rounding beside the largest curvature to a power, or its integral."""
+    if power <= 0:
         return tuple(values)
-    floors = (_NOISE * abs(variant.summary.extremes["curvedness"].maximum.value) ** -power for variant in found)
+    floors: list[float] = []
+    for one in found:
+        floor = _NOISE * abs(one.summary.extremes["curvedness"].maximum.value) ** power
+        floors.append(floor * one.summary.integrals.area.value if integral else floor)
     return tuple(0.0 if abs(value) <= floor else value for value, floor in zip(values, floors, strict=True))
 
 
@@ -104,7 +108,7 @@ def _notes(found: Sequence[Variant]) -> tuple[str, ...]:
         f"{summary.orientation[0].upper()}{summary.orientation[1:]}; means are over the area.",
         f"The {formulas}.",
     ]
-    return (*notes, *(f"{variant.label}: {warning}" for variant in found for warning in variant.summary.warnings))
+    return (*notes, *(f"{one.label}: {warning}" for one in found for warning in one.summary.warnings))
 
 
 def _check(patch: Patch) -> None:

@@ -7,9 +7,10 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from quintrig import construct, envelope, nurbs, reference
+from quintrig import construct, envelope, reference
 from quintrig.arrays import LARGEST
 from quintrig.basis import BasisName
+from quintrig.nurbs import nurbs
 from quintrig.surface import Surface
 
 Number = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-LARGEST, le=LARGEST)]
@@ -188,7 +189,7 @@ class Nurbs(Definition):
 
     def surface(self) -> Surface:
         """Build the surface."""
-        return nurbs.nurbs(self.points, self.weights, self.degrees, self.knots, flip=self.flip, trim=self.trim)
+        return nurbs(self.points, self.weights, self.degrees, self.knots, flip=self.flip, trim=self.trim)
 
 
 class Sphere(Definition):

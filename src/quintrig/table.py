@@ -152,7 +152,7 @@ def _notes(sample: Sample, keys: Sequence[str], unit: str) -> tuple[str, ...]:
     elif planar or own:
         which = "horizontal plane" if planar else "surface"
         notes.append(f"Invariants in the metric of the {which}.")
-    if any(key in CLASSES for key in keys):
+    if any(key in CLASSES for key in keys) and sample.size > 0.0:
         notes.append(f"Types: {sample.thresholds.describe(sample.size, unit)}.")
     count = int(sample.singular.sum())
     if count:

@@ -57,7 +57,7 @@ def compare(
 
     keys, seen = read_keys(quantities), read_view(view)
     loaded = session.load(model)
-    from quintrig.compare import intensities, standard_shapes, variants
+    from quintrig.compare import intensities, standard_shapes, variant, with_shapes
 
     one = loaded.patch(patch)
     shapes = [session.numbers(text, None, "--shape") for text in shape] if shape else standard_shapes(one)
@@ -66,12 +66,13 @@ def compare(
     if out is not None and out.exists() and not out.is_dir():
         raise QuintrigError(f"{out}: expected a folder to write to, found a file; choose another name")
     title = f"{loaded.name}: effect of the shape parameters"
+    changed = with_shapes(one, shapes)
     steps = len(shapes) + (0 if out is None else 1 + 2 * len([key for key in keys if key]))
     with session.progress() as progress:
         found: list[Variant] = []
-        for index, values in enumerate(shapes):
+        for index, patch_with_shape in enumerate(changed):
             progress(f"shape parameters {index + 1} of {len(shapes)}", index, steps)
-            found += variants(one, [values], loaded.unit)
+            found.append(variant(patch_with_shape, loaded.unit))
         table = intensities(found, title)
         if out is not None:
             _write_tables(out, table)

@@ -23,13 +23,13 @@ def reproduce(
     inventory: Annotated[bool, typer.Option("--list", help="Print the inventory and build nothing.")] = False,
 ) -> None:
     """Rebuild the figures and tables of the thesis into one page to browse."""
+    if out is None and not inventory:
+        raise ValueError("OUT: expected a folder to write to, or --list to see what would be built")
     from quintrig import reproduce as thesis
 
-    if inventory:
+    if out is None:
         session.emit(thesis.inventory_text())
         return
-    if out is None:
-        raise ValueError("OUT: expected a folder to write to, or --list to see what would be built")
     with session.progress() as progress:
         page = thesis.write_reproduction(out, progress=progress)
     session.done(page)

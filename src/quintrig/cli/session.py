@@ -39,6 +39,8 @@ def run(build: Callable[[], typer.Typer], arguments: Sequence[str]) -> int:
         if debug:
             traceback.print_exc()
         return _tell(error)
+    if result == INTERRUPTED:  # typer has caught it before
+        return _say("interrupted", INTERRUPTED)
     # Outside standalone mode typer returns the code of an Exit, or else what the command returned.
     return result if isinstance(result, int) else 0
 
@@ -79,8 +81,12 @@ def progress() -> "Generator[Callable[[str, int, int], None]]":
     """Show a bar on stderr while a block runs; call it with what is being done, steps done and steps in all."""
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
+    console = messages()
+    if not console.is_terminal:  # a log: a line for each step
+        yield lambda what, done, total: print(f"[{done}/{total}] {what}", file=sys.stderr, flush=True)
+        return
     columns = (BarColumn(bar_width=24), MofNCompleteColumn(), TimeElapsedColumn(), TextColumn("{task.description}"))
-    with Progress(*columns, console=messages(), transient=True) as bar:
+    with Progress(*columns, console=console, transient=True) as bar:
         task = bar.add_task("", total=None)
 
         def show(what: str, done: int, total: int) -> None:
@@ -143,7 +149,10 @@ def counts(text: str, name: str, most: int = 10**12) -> tuple[int, int]:
         raise ValueError(f"{name}: expected two counts such as 20x30, got {text[:60]!r}")
     if any(len(word.strip()) > 12 for word in words) or int(words[0]) * int(words[1]) > most:
         raise ValueError(f"{name}: expected at most {most:,} points, got {text[:60]}; choose a coarser grid")
-    return int(words[0]), int(words[1])
+    found = int(words[0]), int(words[1])
+    if min(found) < 2:
+        raise ValueError(f"{name}: expected 2 or more points each way, got {text[:60]}")
+    return found
 
 
 def printable(text: str) -> str:

@@ -75,7 +75,7 @@ def table(
     from quintrig.typeset import WRITERS
 
     one = loaded.patch(patch)
-    keys = [word.strip() for word in quantities.split(",")] if quantities else None
+    keys = [word.strip() for word in quantities.split(",")] if quantities is not None else None
     title = loaded.name if len(loaded.patches) == 1 else f"{loaded.name}: {one.name}"
     result = tabulate(one.surface, u, v, keys, metric=metric, unit=loaded.unit, title=title)
     if chosen == "text":
