@@ -1,0 +1,113 @@
+"""A model as a mesh file, coloured by a quantity."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from quintrig.arrays import FloatArray
+from quintrig.exchange import mesh_files
+from quintrig.exchange.units import stated
+from quintrig.files import write_whole
+from quintrig.mesh import Mesh, mesh
+from quintrig.model import Model
+from quintrig.quantity import Quantity, quantity
+
+SUFFIXES = (".stl", ".obj", ".ply", ".glb", ".vtu")
+"""Endings of the mesh files that can be written."""
+
+QUANTITIES = ("gaussian", "mean", "k1", "k2", "shape_index", "curvedness")
+"""Stored with each point where the format can."""
+
+
+@dataclass(frozen=True)
+class MeshOptions:
+    """Chordal ``tolerance``, length¹, or a ``grid`` of points along u and v; ``colour`` by a quantity or None."""
+
+    tolerance: float | None = None
+    grid: tuple[int, int] | None = None
+    colour: str | None = "gaussian"
+    quantities: tuple[str, ...] = QUANTITIES
+
+    def __post_init__(self) -> None:
+        """Check the names once."""
+        for key in (*self.quantities, *([self.colour] if self.colour else [])):
+            if quantity(key).colour == "vector":
+                raise ValueError(f"{key} is a vector; choose a quantity with one value at a point, such as gaussian")
+        if self.tolerance is not None and self.grid is not None:
+            raise ValueError("mesh: expected a tolerance or a grid, found both")
+
+
+def export_mesh(model: Model, path: Path, options: MeshOptions | None = None) -> tuple[str, ...]:
+    """Write an STL, OBJ, PLY, GLB or VTU file, and return what to tell about it, one line each.
+
+    Raises ValueError for a tolerance that takes too many points, QuintrigError for an unwritable target.
+    """
+    options = options or MeshOptions()
+    keys = list(options.quantities)
+    if options.colour and options.colour not in keys:
+        keys.append(options.colour)
+    surfaces = [patch.surface for patch in model.patches]
+    result = mesh(surfaces, tolerance=options.tolerance, grid=options.grid, quantities=keys)
+    suffix = path.suffix.lower()
+    colours, legend = (None, "") if options.colour is None else _colours(result, model, quantity(options.colour))
+    remarks = _remarks(model, result, legend if suffix not in (".stl", ".vtu") else "")
+    write_whole(path, _data(suffix, result, colours, remarks, stated(model.unit).millimetres * 1e-3))
+    asked = "" if options.grid else f", allowed {_tolerance(options, model):.3g}"
+    lines = [
+        f"{len(result.points):,} points, {len(result.triangles):,} triangles, "
+        f"chord measured {result.chord:.3g}{asked}{_unit(model)}",
+        "watertight" if result.open_edges == 0 else f"{result.open_edges:,} triangle sides lie on open borders",
+    ]
+    return (*lines, *result.notes, *([legend] if legend and suffix not in (".stl", ".vtu") else []))
+
+
+def _data(suffix: str, result: Mesh, colours: FloatArray | None, remarks: Sequence[str], metres: float) -> bytes:
+    if suffix == ".stl":
+        return mesh_files.stl(result, remarks)
+    if suffix == ".obj":
+        return mesh_files.obj(result, colours, remarks)
+    if suffix == ".ply":
+        return mesh_files.ply(result, colours, remarks)
+    if suffix == ".glb":
+        return mesh_files.glb(result, colours, remarks, metres)
+    return mesh_files.vtu(result, remarks)
+
+
+def _tolerance(options: MeshOptions, model: Model) -> float:
+    return options.tolerance or 1e-3 * min(patch.surface.size for patch in model.patches)
+
+
+def _colours(result: Mesh, model: Model, shown: Quantity) -> tuple[FloatArray, str]:
+    """Return sRGB colours (n, 3) of the points and a line that explains them."""
+    from quintrig.figure import palette
+
+    values = result.values[shown.key]
+    singular = int((~np.isfinite(result.values["mean"])).sum()) if "mean" in result.values else 0
+    grey = f"; {singular} singular points grey" if singular else ""
+    if shown.colour == "classes":
+        return palette.class_colours(values, shown.key), f"colours show the {shown.name}{grey}"
+    stretch = palette.limits(np.asarray(values, dtype=np.float64), shown)
+    unit = shown.unit(model.unit)
+    spread = f"{stretch.low:.4g} to {stretch.high:.4g}{' ' + unit if unit else ''}"
+    clipped = f", {100 * stretch.clipped_share:.2g} % of the points beyond" if stretch.clipped_share else ""
+    return palette.real_colours(
+        values, shown, stretch
+    ), f"colours show {shown.name} {shown.symbol}, {spread}{clipped}{grey}"
+
+
+def _remarks(model: Model, result: Mesh, legend: str) -> list[str]:
+    """Return what a reader of the file has to know: one line each, without line breaks."""
+    unit = model.unit or "none stated"
+    lines = [
+        f"{model.name}, unit {unit}, by quintrig",
+        "normals along S_u x S_v, against it for patches with flip = true; counter-clockwise triangles show that side",
+        f"chordal deviation measured {result.chord:.6g}",
+        legend,
+    ]
+    return [" ".join(line.split()) for line in lines if line]
+
+
+def _unit(model: Model) -> str:
+    return f" {model.unit}" if model.unit else ""
