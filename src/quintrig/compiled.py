@@ -11,6 +11,7 @@ import tempfile
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar, cast
+from uuid import uuid4
 
 import numba
 
@@ -29,6 +30,8 @@ SOURCES = (
     "sweep/summarise",
 )
 """Modules whose text goes into compiled code."""
+
+_PROCESS = uuid4().hex[:8]
 
 _config = cast(Any, numba).config
 _njit = cast(Callable[..., Callable[[Any], Any]], numba.njit)
@@ -51,9 +54,39 @@ def loop(function: Function) -> Function:
         # Numba reads this setting as the decorator runs; other packages must not see ours.
         _config.CACHE_DIR = str(folder or "")
         options: dict[str, Any] = {"fastmath": _FAST, "error_model": "numpy", "nogil": True}
-        return cast(Function, _njit(cache=folder is not None, **options)(function))
+        compiled = _njit(cache=folder is not None, **options)(function)
     finally:
         _config.CACHE_DIR = before
+    if folder is not None:
+        _share_cache(compiled)
+    return cast(Function, compiled)
+
+
+def _share_cache(compiled: Any) -> None:
+    """Make the cache of one loop safe with several processes, full disks and broken files.
+
+    Numba numbers the files of a loop by the index that it read last, so two processes that compile at once would give
+    one name to different code; a word of its own in each process's names keeps them apart. A file that cannot be read
+    or written is as good as none: the loop is compiled instead. Where Numba has changed inside, nothing is done.
+    """
+    cache: Any = getattr(compiled, "_cache", None)
+    files: Any = getattr(cache, "_cache_file", None)
+    if not hasattr(files, "_data_name_pattern"):
+        return
+    files._data_name_pattern = files._data_name_pattern.replace("{number:d}", "{number:d}-" + _PROCESS)
+    cache.load_overload, cache.save_overload = _lenient(cache.load_overload), _lenient(cache.save_overload)
+
+
+def _lenient(action: Callable[..., Any]) -> Callable[..., Any]:
+    """Return the action, but with None for a failure."""
+
+    def tried(*arguments: Any) -> Any:
+        try:
+            return action(*arguments)
+        except Exception:  # a truncated file fails in many ways
+            return None
+
+    return tried
 
 
 def cache_folder() -> Path | None:

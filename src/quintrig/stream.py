@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from quintrig.classify import Thresholds
 from quintrig.errors import QuintrigError
 from quintrig.files import require
+from quintrig.integrate import orientation
 from quintrig.quantity import BY_KEY, quantity
 from quintrig.sample import Sample, analyse
 from quintrig.surface import Surface
@@ -66,16 +67,19 @@ def write_zarr(
 ) -> Path:
     """Write a Zarr group with an array (nu, nv) or (nu, nv, 3) for each quantity, its name and unit beside it.
 
-    The folder appears whole when all is done. Raises QuintrigError where Zarr is missing or ``out`` cannot be written.
+    Arrays ``u`` (nu,) and ``v`` (nv,) hold the parameters, the group's attributes say which way the normal points. The
+    folder appears whole when all is done. Raises QuintrigError where Zarr is missing or ``out`` cannot be written.
     """
     require("zarr", "stream")
     import zarr
 
-    keys = tuple(quantities)
+    keys = tuple(dict.fromkeys(quantities))
     blocks = analyse_blocks(surface, nu, nv, keys, thresholds=thresholds)
 
     def fill(folder: Path) -> None:
-        group: Any = cast(Any, zarr).open_group(str(folder), mode="w")
+        group: Any = cast(Any, zarr).open_group(str(folder), mode="w", attributes=_notes(surface, thresholds, unit))
+        group.create_array("v", data=np.linspace(0.0, 1.0, nv))
+        places: Any = group.create_array("u", shape=(nu,), chunks=(min(nu, _POINTS),), dtype="float64")
         arrays: dict[str, Any] = {}
         for key in keys:
             q = BY_KEY[key]
@@ -88,6 +92,7 @@ def write_zarr(
                 attributes={"name": q.name, "symbol": q.symbol, "unit": q.unit(unit), "classes": list(q.classes)},
             )
         for block in blocks:
+            places[block.start : block.stop] = block.sample.u[:, 0]
             for key, array in arrays.items():
                 array[block.start : block.stop] = block.sample[key]
             if progress:
@@ -116,7 +121,7 @@ def write_parquet(
     from pyarrow import parquet
 
     pa, pq = cast(Any, pyarrow), cast(Any, parquet)  # pyarrow carries no types
-    keys = tuple(quantities)
+    keys = tuple(dict.fromkeys(quantities))
     blocks = analyse_blocks(surface, nu, nv, keys, thresholds=thresholds)
     v = np.linspace(0.0, 1.0, nv)
 
@@ -130,6 +135,7 @@ def write_parquet(
                 table = pa.table({name: np.ascontiguousarray(values).reshape(-1) for name, values in columns.items()})
                 if writer is None:
                     units = {f"unit of {key}": BY_KEY[key].unit(unit) for key in keys}
+                    units |= _notes(surface, thresholds, unit)
                     writer = pq.ParquetWriter(file, table.schema.with_metadata(units), compression="zstd")
                 writer.write_table(table.cast(writer.schema))
                 if progress:
@@ -151,6 +157,12 @@ def _blocks(
         u = np.arange(start, stop) * (1.0 / (nu - 1))
         u = np.where(np.arange(start, stop) == nu - 1, 1.0, u)
         yield Block(start, stop, analyse(surface, u[:, None], v, keys, thresholds=thresholds, threads=threads))
+
+
+def _notes(surface: Surface, thresholds: Thresholds | None, unit: str) -> dict[str, str]:
+    """Return what a reader must know of all quantities."""
+    words = (thresholds or Thresholds()).describe(surface.size, unit) if surface.size > 0.0 else ""
+    return {"normal": orientation(surface), "unit of length": unit, "thresholds": words}
 
 
 def _rows(nv: int) -> int:

@@ -9,6 +9,7 @@ from quintrig.cli import session
 
 if TYPE_CHECKING:
     from quintrig.arrays import FloatArray
+    from quintrig.sweep.query import Question
     from quintrig.sweep.store import Sweep
 
 _EPILOG = session.examples(
@@ -22,6 +23,9 @@ _EPILOG = session.examples(
         "ask a finished sweep: the five least bent designs without a saddle point, and a picture",
     ),
 )
+
+
+_NAMES, _VALUE = 32, 14  # letters that the names with their units take, and that one value takes
 
 
 def register(app: typer.Typer) -> None:
@@ -65,22 +69,24 @@ def sweep(
     Each design becomes a row of summaries: extremes and means of K, H and C, area, energies, the share of each HK type,
     the number of singular points. Rows go to Parquet files in a folder; a stopped sweep continues where it was.
     """
+    from quintrig.sweep.query import Question
     from quintrig.sweep.store import load_sweep
 
-    if model.is_dir():
-        if vary:
-            raise ValueError(f"{model}: is a folder, whose sweep is asked as it is; leave out --vary")
-        found = load_sweep(model)
-    else:
-        found = _computed(
-            model, vary or [], output, sampling, samples, seed, points=points, patch=patch, scheduler=scheduler
-        )
+    question = Question(where, best, greatest)
     if top < 1:
         raise ValueError(f"--top: expected 1 or more, got {top}")
-    _answer(found, where, best, greatest, top, plot)
+    if model.is_dir():
+        if vary or output:
+            raise ValueError(f"{model}: is a folder, whose sweep is asked as it is; leave out --vary and -o")
+        found = load_sweep(model)
+    else:
+        found = _begun(model, vary or [], output, sampling, samples, seed, points=points, patch=patch)
+        question.check(found.task.space)  # before the work, not after it
+        _run(found, scheduler)
+    _answer(found, question, top, plot)
 
 
-def _computed(
+def _begun(
     model: Path,
     vary: list[str],
     output: Path | None,
@@ -90,13 +96,9 @@ def _computed(
     *,
     points: int,
     patch: str | None,
-    scheduler: str | None,
 ) -> "Sweep":
-    """Run what is missing of a sweep and return it."""
-    from time import perf_counter
-
+    """Return the sweep that the options describe, new or continued."""
     from quintrig.sweep.part import Task
-    from quintrig.sweep.run import run
     from quintrig.sweep.space import DesignSpace, parse_axis
     from quintrig.sweep.store import open_sweep
 
@@ -105,7 +107,15 @@ def _computed(
     loaded = session.load(model)
     chosen = loaded.patch(patch)
     space = DesignSpace(tuple(parse_axis(text) for text in vary), sampling, samples, seed)
-    result = open_sweep(output, Task(loaded.to_dict(), chosen.name, space, points))
+    return open_sweep(output, Task(loaded.to_dict(), chosen.name, space, points))
+
+
+def _run(sweep: "Sweep", scheduler: str | None) -> None:
+    """Compute what is missing of a sweep, with progress and rate."""
+    from time import perf_counter
+
+    from quintrig.sweep.run import run
+
     began = perf_counter()
     first: list[int] = []
     with session.progress() as show:
@@ -115,49 +125,58 @@ def _computed(
             rate = (done - first[0]) / max(perf_counter() - began, 1e-9)
             show(f"designs, {rate:,.0f} a second" if done > first[0] else "designs", done, total)
 
-        run(result, scheduler, tell)
-    fresh = space.count - (first[0] if first else 0)
+        run(sweep, scheduler, tell)
+    total = sweep.task.space.count
+    fresh = total - (first[0] if first else 0)
     seconds = perf_counter() - began
+    place = session.printable(str(sweep.folder))
     if fresh:
-        session.messages().print(f"{fresh:,} designs in {seconds:.1f} s, {fresh / seconds:,.0f} a second, in {output}")
+        said = f"{fresh:,} designs in {seconds:.1f} s, {fresh / seconds:,.0f} a second, in {place}"
     else:
-        session.messages().print(f"all {space.count:,} designs were there already, in {output}")
-    return result
+        said = f"all {total:,} designs were there already, in {place}"
+    session.messages().print(said, markup=False)
 
 
-def _answer(found: "Sweep", where: str, best: str, greatest: bool, top: int, plot: Path | None) -> None:
+def _answer(found: "Sweep", question: "Question", top: int, plot: Path | None) -> None:
     """List the designs asked for, and draw them."""
-    from quintrig.sweep.query import select
+    from quintrig.sweep.query import count, select
 
     unfinished = len(found.missing())
     if unfinished:
         session.messages().print(f"{unfinished} of {found.parts} parts are missing: the answer is of the others")
-    rows = select(found, where, best, greatest)
-    _list({name: values[:top] for name, values in rows.items()}, found, len(next(iter(rows.values()))))
+    matching = count(found, question)
+    session.emit(f"{matching:,} of {found.task.space.count:,} designs")
+    if matching:
+        _list(select(found, question, top), found)
     if plot is not None:
         from quintrig.figure.parallel import parallel_coordinates
         from quintrig.figure.save import save
 
         unit = str(found.task.model.get("unit", ""))
-        session.wrote(save(parallel_coordinates(rows, found.task.space.names, best=best, unit=unit), plot))
+        rows = select(found, question)
+        session.wrote(save(parallel_coordinates(rows, found.task.space.names, best=question.best, unit=unit), plot))
 
 
-def _list(rows: "dict[str, FloatArray]", found: "Sweep", count: int) -> None:
-    """Print the first designs as a table."""
+def _list(rows: "dict[str, FloatArray]", found: "Sweep") -> None:
+    """Print the designs in tables as wide as the screen."""
     from rich.table import Table
 
     from quintrig.sweep.part import column_unit
 
+    console = session.output()
     kept = [name for name, values in rows.items() if not name.startswith("share_") or (values > 0.0).any()]
     unit = str(found.task.model.get("unit", ""))
-    # One row a column of the data: twenty and more columns are wider than any screen, a few designs are not.
-    table = Table(title=f"{count:,} of {found.task.space.count:,} designs", title_justify="left")
-    table.add_column("")
-    table.add_column("unit")
-    for index in range(len(next(iter(rows.values())))):
-        table.add_column(str(index + 1), justify="right", no_wrap=True)
-    for name in kept:
-        last = name == found.task.space.names[-1]
-        measure = column_unit(name, unit)
-        table.add_row(name, measure, *(f"{value:.5g}" for value in rows[name].tolist()), end_section=last)
-    session.output().print(table)
+    # One line a column of the data: twenty and more columns are wider than any screen, a few designs are not.
+    total = len(next(iter(rows.values())))
+    fit = max(1, (console.width - _NAMES) // _VALUE)
+    for start in range(0, total, fit):
+        table = Table()
+        table.add_column("", no_wrap=True)
+        table.add_column("unit", no_wrap=True)
+        for index in range(start, min(start + fit, total)):
+            table.add_column(str(index + 1), justify="right", no_wrap=True)
+        for name in kept:
+            values = rows[name][start : start + fit].tolist()
+            last = name == found.task.space.names[-1]
+            table.add_row(name, column_unit(name, unit), *(f"{value:.5g}" for value in values), end_section=last)
+        console.print(table)

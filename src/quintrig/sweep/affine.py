@@ -52,7 +52,7 @@ def with_parameters(patch: Patch, values: dict[str, float]) -> Patch:
     if isinstance(patch.definition, Swung):
         scale = known.pop("scale")
         patch = patch.with_scale(scale)
-    return patch.with_shape(list(known.values()))
+    return patch.with_shape(list(known.values())) if known else patch
 
 
 def weights(patch: Patch, space: DesignSpace, designs: FloatArray) -> FloatArray:

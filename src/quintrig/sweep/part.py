@@ -7,6 +7,7 @@ import numpy as np
 
 from quintrig.arrays import FloatArray
 from quintrig.classify import Thresholds
+from quintrig.errors import ModelError
 from quintrig.model import Model, Patch
 from quintrig.quantity import BY_KEY
 from quintrig.sample import SINGULAR
@@ -69,7 +70,12 @@ def summaries(task: Task, start: int, stop: int) -> FloatArray:
     else:
         for i, design in enumerate(designs.tolist()):
             values = dict(zip(task.space.names, design, strict=True))
-            part = single_part(patch, values, nodes, nodes, block)
+            try:
+                part = single_part(patch, values, nodes, nodes, block)
+            except ModelError:  # planes that envelop no strip, say: a design without a single regular point
+                result[i] = np.nan
+                result[i, COLUMNS.index("singular")] = task.points**2
+                continue
             run(part.rows, part.blend, np.empty((1, 0)), w, wv, *settings, result[i : i + 1])
     return np.concatenate([designs, result], axis=1)
 

@@ -1,6 +1,8 @@
 """Questions to a sweep: which designs meet a condition, and which of them are best."""
 
-from typing import Any, cast
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -8,37 +10,90 @@ from quintrig.arrays import FloatArray
 from quintrig.errors import QuintrigError, nearest
 from quintrig.files import require
 from quintrig.sweep.part import columns
+from quintrig.sweep.space import DesignSpace
 from quintrig.sweep.store import Sweep
 
-
-def select(
-    sweep: Sweep, where: str = "", best: str = "", descending: bool = False, limit: int | None = None
-) -> dict[str, FloatArray]:
-    """Return columns of the designs that meet ``where``, ordered by the column ``best``, the first ``limit`` of them.
-
-    ``where`` is a condition in SQL on the columns, such as ``gaussian_min >= 0 AND area < 12``. Lengths are in the
-    model's unit. Raises QuintrigError for a condition that cannot be read, an unknown column, or a sweep without
-    parts.
-    """
-    require("polars", "sweep")
+if TYPE_CHECKING:
     import polars as pl
 
-    known = columns(sweep.task.space)
-    if best and best not in known:
-        raise QuintrigError(f"--best {best}: unknown column{nearest(best, known)}; known are {', '.join(known)}")
-    if len(sweep.missing()) == sweep.parts:
+
+@dataclass(frozen=True)
+class Question:
+    """Which designs, in which order: those that meet ``where``, by the column ``best``, least first.
+
+    ``where`` is a condition in SQL on the columns, such as ``gaussian_min >= 0 AND area < 12``. Lengths are in the
+    model's unit. A design where a column is undefined meets no condition on it, and comes last in its order.
+    """
+
+    where: str = ""
+    best: str = ""
+    descending: bool = False
+
+    def check(self, space: DesignSpace) -> None:
+        """Raise QuintrigError for a condition that cannot be read or an unknown column, before anything is computed."""
+        require("polars", "sweep")
+        import polars as pl
+
+        known = columns(space)
+        if self.best and self.best not in known:
+            raise QuintrigError(
+                f"--best {self.best}: unknown column{nearest(self.best, known)}; known are {', '.join(known)}"
+            )
+        if self.descending and not self.best:
+            raise QuintrigError("--greatest: says the order of --best COLUMN; add it")
+        try:
+            self.on(pl.LazyFrame(schema=dict.fromkeys(known, pl.Float64))).collect()
+        except (pl.exceptions.PolarsError, pl.exceptions.PanicException) as error:
+            reason = (str(error).splitlines() or [""])[0][:120]
+            raise QuintrigError(
+                f"--where {self.where!r}: {reason}; expected a condition such as 'gaussian_min >= 0 AND singular = 0' "
+                f"on the columns {', '.join(known)}"
+            ) from None
+
+    def on(self, table: "pl.LazyFrame") -> "pl.LazyFrame":
+        """Return the rows asked for, in order."""
+        import polars as pl
+
+        # Polars takes NaN for the greatest of numbers; as null, an undefined value meets no condition.
+        table = table.fill_nan(None)
+        if self.where.strip():
+            table = table.filter(pl.sql_expr(self.where))
+        if self.best:
+            table = table.sort(self.best, descending=self.descending, nulls_last=True, maintain_order=True)
+        return table
+
+
+def count(sweep: Sweep, question: Question) -> int:
+    """Return how many designs meet the condition; QuintrigError as for ``select``."""
+    import polars as pl
+
+    question.check(sweep.task.space)
+    unordered = Question(question.where)
+    return int(_collected(sweep, unordered, lambda table: table.select(pl.len()))["len"][0])
+
+
+def select(sweep: Sweep, question: Question, limit: int | None = None) -> dict[str, FloatArray]:
+    """Return the columns of the designs asked for, the first ``limit`` of them, each of shape (n,).
+
+    Raises QuintrigError for a condition that cannot be read, an unknown column, a sweep without parts or a part that
+    cannot be read.
+    """
+    found = _collected(sweep, question, lambda table: table if limit is None else table.head(limit))
+    return {name: np.asarray(found[name].to_numpy(), dtype=np.float64) for name in columns(sweep.task.space)}
+
+
+def _collected(sweep: Sweep, question: Question, last: "Callable[[pl.LazyFrame], pl.LazyFrame]") -> "pl.DataFrame":
+    """Return the table that ``last`` makes of the rows asked for."""
+    question.check(sweep.task.space)
+    import polars as pl
+
+    files = sweep.files()
+    if not files:
         raise QuintrigError(f"{sweep.folder}: holds no finished part yet; run the sweep first")
-    table = pl.scan_parquet(str(sweep.folder / "part-*.parquet"))
     try:
-        if where:
-            table = table.filter(pl.sql_expr(where))
-        if best:
-            table = table.sort(best, descending=descending, nulls_last=True)
-        found = (table.head(limit) if limit is not None else table).collect()
-    except pl.exceptions.PolarsError as error:
-        reason = (str(error).splitlines() or [""])[0][:120]
+        return last(question.on(pl.scan_parquet(files, glob=False))).collect()
+    except (pl.exceptions.PolarsError, OSError) as error:
+        reason = (str(error).splitlines() or [""])[0][:200]
         raise QuintrigError(
-            f"--where {where!r}: {reason}; expected a condition such as 'gaussian_min >= 0 AND singular = 0' "
-            f"on the columns {', '.join(known)}"
+            f"{sweep.folder}: cannot be read ({reason}); delete the part that is broken and run the sweep again"
         ) from None
-    return {name: np.asarray(cast(Any, found[name]).to_numpy(), dtype=np.float64) for name in known}

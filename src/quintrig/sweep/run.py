@@ -1,7 +1,7 @@
 """Running a sweep: on threads of this machine, or on the workers of a Dask cluster."""
 
 from collections.abc import Callable, Iterator
-from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, ThreadPoolExecutor, wait
 from itertools import islice
 from os import cpu_count
 from typing import Any, cast
@@ -16,7 +16,7 @@ from quintrig.sweep.store import Sweep
 Progress = Callable[[int, int], None]
 """Called with the designs done and the designs in all."""
 
-_PATIENCE = 10.0  # seconds to wait for a scheduler
+_PATIENCE = 5.0  # seconds to wait for a scheduler
 _AHEAD = 256  # parts handed to a cluster at a time
 
 
@@ -26,8 +26,8 @@ def run(
     """Compute the parts that are missing and write each as it comes.
 
     ``scheduler`` is the address of a ``dask.distributed`` scheduler, such as tcp://host:8786; without one, threads
-    here. Stopped at any moment, it loses only the parts under way. Raises QuintrigError for an unreachable cluster or
-    a full disk.
+    here. Stopped at any moment, it loses only the parts under way. Raises QuintrigError for a cluster that cannot be
+    reached or is lost, or a full disk.
     """
     missing = sweep.missing()
     total = sweep.task.space.count
@@ -71,7 +71,7 @@ def _on_threads(sweep: Sweep, parts: list[int], threads: int | None) -> Iterator
 
 def _on_cluster(sweep: Sweep, parts: list[int], scheduler: str) -> Iterator[tuple[int, FloatArray]]:
     require("distributed", "cluster")
-    from distributed import Client, as_completed
+    from distributed import Client, KilledWorker, as_completed
 
     try:
         client: Any = cast(Any, Client)(scheduler, timeout=_PATIENCE, set_as_default=False)
@@ -91,10 +91,17 @@ def _on_cluster(sweep: Sweep, parts: list[int], scheduler: str) -> Iterator[tupl
             futures.append(future)
         return futures
 
-    with client:
-        running: Any = cast(Any, as_completed)(submit(_AHEAD), with_results=True)
-        for future, rows in running:
-            yield numbers.pop(future.key), rows
-            future.release()
-            for more in submit(1):
-                running.add(more)
+    try:
+        with client:
+            running: Any = cast(Any, as_completed)(submit(_AHEAD), with_results=True)
+            for future, rows in running:
+                yield numbers.pop(future.key), rows
+                future.release()
+                for more in submit(1):
+                    running.add(more)
+    except (OSError, CancelledError, ImportError, KilledWorker) as error:
+        reason = (str(error).splitlines() or [""])[0] or type(error).__name__
+        raise QuintrigError(
+            f"--scheduler {scheduler}: the cluster failed ({reason[:200]}); the parts written stay, and the same "
+            "command goes on from them"
+        ) from None

@@ -15,16 +15,36 @@ from quintrig.model import Patch
 Sampling = Literal["grid", "latin", "sobol"]
 SHAPE_NAMES = ("alpha1", "zeta1", "alpha2", "zeta2")
 LARGEST_SPACE = 10**9
+LARGEST_LATIN = 10**6
+"""A Latin hypercube is drawn whole, in memory; a Sobol sequence part by part."""
 
 
 @dataclass(frozen=True)
 class Axis:
-    """One parameter from ``low`` to ``high``; ``count`` values in a grid."""
+    """One parameter from ``low`` to ``high``; ``count`` values in a grid.
+
+    Raises ValueError for NaN, an infinity, an empty or a reversed range.
+    """
 
     name: str
     low: float
     high: float
     count: int
+
+    def __post_init__(self) -> None:
+        """Check once, at birth."""
+        name, low, high, count = self.name, self.low, self.high, self.count
+        text = f"--vary {name}={low:g}:{high:g}:{count}"
+        number(low, f"--vary {name}")
+        number(high, f"--vary {name}")
+        if high < low:
+            raise ValueError(f"{text}: the range is reversed; write {name}={high:g}:{low:g}:{count}")
+        if count < 1:
+            raise ValueError(f"{text}: the range is empty; expected a count of 1 or more, got {count}")
+        if high == low and count > 1:
+            raise ValueError(f"{text}: the range is empty; write {name}={low:g} to hold it fixed")
+        if count == 1 and high > low:
+            raise ValueError(f"{text}: one value cannot span a range; expected a count of 2 or more")
 
     @property
     def values(self) -> FloatArray:
@@ -33,12 +53,12 @@ class Axis:
 
 
 def parse_axis(text: str) -> Axis:
-    """Return the axis that ``name=low:high:count`` says; a single ``name=value`` holds a parameter fixed.
+    """Return the axis that ``name=low:high:count`` says; ``name=low:high`` has 11 values, ``name=value`` one.
 
     Raises ValueError for anything else, an empty or a reversed range.
     """
     name, found, rest = text.partition("=")
-    parts = rest.split(":")
+    name, parts = name.strip(), rest.split(":")
     form = f"--vary {text!r}: expected name=low:high:count, such as alpha1=-4:1:21"
     if not found or not name or len(parts) not in (1, 2, 3):
         raise ValueError(form)
@@ -47,15 +67,7 @@ def parse_axis(text: str) -> Axis:
         count = int(parts[2]) if len(parts) == 3 else 1 if len(parts) == 1 else 11
     except ValueError:
         raise ValueError(form) from None
-    number(low, name)
-    number(high, name)
-    if high < low:
-        raise ValueError(f"--vary {text!r}: the range is reversed; write {name}={parts[1]}:{parts[0]}:{count}")
-    if count < 1:
-        raise ValueError(f"--vary {text!r}: the range is empty; expected a count of 1 or more, got {count}")
-    if count == 1 and high > low:
-        raise ValueError(f"--vary {text!r}: one value cannot span a range; expected a count of 2 or more")
-    return Axis(name.strip(), low, high, count)
+    return Axis(name, low, high, count)
 
 
 @dataclass(frozen=True)
@@ -80,6 +92,15 @@ class DesignSpace:
             raise ValueError(f"--vary: {twice[0]!r} is given twice; give each parameter once")
         if self.sampling != "grid" and self.samples < 1:
             raise ValueError(f"--samples: expected 1 or more for {self.sampling} sampling, got {self.samples}")
+        if self.sampling == "grid" and self.samples:
+            raise ValueError("--samples: a grid has as many designs as its axes say; add --sampling sobol or latin")
+        if self.seed < 0:
+            raise ValueError(f"--seed: expected 0 or more, got {self.seed}")
+        if self.sampling == "latin" and self.samples > LARGEST_LATIN:
+            raise ValueError(
+                f"--samples: expected at most {LARGEST_LATIN:,} for latin sampling, got {self.samples:,}; "
+                "take --sampling sobol"
+            )
         if self.count > LARGEST_SPACE:
             raise ValueError(
                 f"--vary: {self.count:.3g} designs are more than {LARGEST_SPACE:.0e}; take fewer values, or a sample "
@@ -103,7 +124,8 @@ class DesignSpace:
         if self.sampling == "grid":
             index = np.unravel_index(np.arange(start, stop), [axis.count for axis in self.axes])
             return np.stack([axis.values[i] for axis, i in zip(self.axes, index, strict=True)], axis=-1)
-        return low + (high - low) * _sample(self.sampling, len(self.axes), self.samples, self.seed)[start:stop]
+        draw = _latin if self.sampling == "latin" else _sobol
+        return low + (high - low) * draw(len(self.axes), self.samples, self.seed, start, stop)
 
     def to_dict(self) -> dict[str, Any]:
         """Return plain data that ``from_dict`` reads."""
@@ -128,7 +150,8 @@ class DesignSpace:
 def parameters(patch: Patch) -> dict[str, float]:
     """Return the parameters of a patch that can be varied, with the values that its model gives."""
     names: tuple[str, ...] = ("alpha", "zeta") if isinstance(patch.definition, Developable) else SHAPE_NAMES
-    result: dict[str, float] = dict(zip(names, patch.shape, strict=True)) if patch.shape else {}
+    classical = getattr(patch.definition, "basis", "trigonometric") == "bernstein"
+    result: dict[str, float] = dict(zip(names, patch.shape, strict=True)) if patch.shape and not classical else {}
     if isinstance(patch.definition, Swung):
         result["scale"] = patch.definition.scale
     return result
@@ -138,7 +161,8 @@ def check(space: DesignSpace, patch: Patch) -> None:
     """Raise ValueError where the patch has no such parameter or a range leaves [-4, 1]."""
     known = parameters(patch)
     if not known:
-        raise ValueError(f'patch "{patch.name}": a {patch.kind} has no parameters to vary')
+        basis = " in the Bernstein basis" if getattr(patch.definition, "basis", "") == "bernstein" else ""
+        raise ValueError(f'patch "{patch.name}": a {patch.kind}{basis} has no parameters to vary')
     low, high = SHAPE_RANGE
     unchecked = bool(getattr(patch.definition, "unchecked_shape", False))
     for axis in space.axes:
@@ -151,13 +175,22 @@ def check(space: DesignSpace, patch: Patch) -> None:
             raise ValueError(f"--vary {axis.name}={axis.low:g}:{axis.high:g}: the range leaves [-4, 1]; narrow it")
 
 
-def _sample(sampling: Sampling, dimension: int, count: int, seed: int) -> FloatArray:
-    """Return points of the unit cube (count, dimension)."""
+def _latin(dimension: int, count: int, seed: int, start: int, stop: int) -> FloatArray:
+    """Return points ``start`` to ``stop`` of a Latin hypercube in the unit cube, (n, dimension)."""
     from scipy.stats import qmc
 
-    if sampling == "latin":
-        points = qmc.LatinHypercube(dimension, rng=seed).random(count)
+    return np.asarray(qmc.LatinHypercube(dimension, rng=seed).random(count)[start:stop], dtype=np.float64)
+
+
+def _sobol(dimension: int, count: int, seed: int, start: int, stop: int) -> FloatArray:
+    """Return points ``start`` to ``stop`` of a scrambled Sobol sequence, (n, dimension)."""
+    from scipy.stats import qmc
+
+    stop = min(stop, count)
+    sequence = qmc.Sobol(dimension, rng=seed)
+    if start:
+        points = sequence.fast_forward(start).random(stop - start)
     else:
-        # Drawn as a full power of two, which Sobol's balance needs, then cut.
-        points = qmc.Sobol(dimension, rng=seed).random_base2(max(0, math.ceil(math.log2(count))))[:count]
+        # Drawn as a full power of two, which the sequence's balance wants, then cut.
+        points = sequence.random_base2(max(0, math.ceil(math.log2(stop))))[:stop]
     return np.asarray(points, dtype=np.float64)

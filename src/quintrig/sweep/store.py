@@ -3,6 +3,8 @@
 import json
 import os
 import shutil
+import time
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, cast
@@ -13,7 +15,8 @@ from quintrig.arrays import FloatArray
 from quintrig.classify import Thresholds
 from quintrig.errors import QuintrigError
 from quintrig.files import require, write_whole
-from quintrig.sweep.part import Task, columns
+from quintrig.integrate import orientation
+from quintrig.sweep.part import Task, column_unit, columns
 from quintrig.sweep.space import DesignSpace
 
 PART = 8192
@@ -21,6 +24,7 @@ PART = 8192
 
 _DESCRIPTION = "sweep.json"
 _FORMAT = 1
+_STALE = 60.0  # seconds after which a temporary file is that of a killed run: writing one takes a fraction of a second
 
 
 @dataclass(frozen=True)
@@ -39,12 +43,19 @@ class Sweep:
         """Return the numbers of the parts that are not there yet."""
         return [part for part in range(self.parts) if not self._file(part).exists()]
 
+    def files(self) -> list[Path]:
+        """Return the parts that are there."""
+        return [file for file in map(self._file, range(self.parts)) if file.exists()]
+
     def span(self, part: int) -> tuple[int, int]:
         """Return the numbers of the first design of a part and of the one after its last."""
         return part * PART, min((part + 1) * PART, self.task.space.count)
 
     def write(self, part: int, rows: FloatArray) -> None:
-        """Write a part; a file that is already there is kept. Raises QuintrigError for a full disk and the like."""
+        """Write a part; a file that is already there is kept. Raises QuintrigError for a full disk and the like.
+
+        Beside the columns the file says their units and which way the normal points.
+        """
         import pyarrow
         from pyarrow import parquet
 
@@ -56,8 +67,17 @@ class Sweep:
         pa, pq = cast(Any, pyarrow), cast(Any, parquet)
         table = pa.table({name: np.ascontiguousarray(rows[:, i]) for i, name in enumerate(names)})
         sink = pa.BufferOutputStream()
-        pq.write_table(table, sink, compression="zstd")
-        write_whole(target, cast(bytes, sink.getvalue().to_pybytes()))
+        pq.write_table(table.replace_schema_metadata(self._notes()), sink, compression="zstd")
+        try:
+            write_whole(target, cast(bytes, sink.getvalue().to_pybytes()))
+        except QuintrigError as error:
+            raise QuintrigError(f"{error}; the parts written stay, and the same command goes on from them") from None
+
+    def _notes(self) -> dict[str, str]:
+        """Return what the file says of its columns: units, the normal, the length unit of the model."""
+        unit = str(self.task.model.get("unit", ""))
+        units = {f"unit of {name}": column_unit(name, unit) for name in columns(self.task.space)}
+        return units | {"normal": orientation(self.task.built().surface), "unit of length": unit}
 
     def _file(self, part: int) -> Path:
         return self.folder / f"part-{part:06d}.parquet"
@@ -71,6 +91,8 @@ def open_sweep(folder: Path, task: Task) -> Sweep:
     """
     require("pyarrow", "sweep")
     description = json.dumps({"format": _FORMAT} | task.to_dict(), indent=1, sort_keys=True)
+    if folder.is_dir():
+        _sweep_out(folder)
     if (folder / _DESCRIPTION).exists():
         if _read(folder) != json.loads(description):
             raise QuintrigError(
@@ -90,6 +112,15 @@ def load_sweep(folder: Path) -> Sweep:
     thresholds = Thresholds(float(data["relative"]), float(data["flat"]))
     space = DesignSpace.from_dict(data["space"])
     return Sweep(folder, Task(data["model"], str(data["patch"]), space, int(data["points"]), thresholds))
+
+
+def _sweep_out(folder: Path) -> None:
+    """Remove the temporary files of a killed run."""
+    for pattern in (".part-*.parquet.*", f".{_DESCRIPTION}.*"):
+        for file in folder.glob(pattern):
+            with suppress(OSError):  # another run may be at it too
+                if time.time() - file.stat().st_mtime > _STALE:
+                    file.unlink()
 
 
 def _read(folder: Path) -> dict[str, Any]:
