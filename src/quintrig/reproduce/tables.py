@@ -1,0 +1,128 @@
+"""How each kind of table of the inventory is made: plain rows of text for the page, and files with every digit."""
+
+import csv
+import io
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from quintrig.quantity import BY_KEY
+from quintrig.reproduce.inventory import Item, labelled_points, model
+from quintrig.sample import analyse, grid
+from quintrig.signs import SIGN_TABLES
+from quintrig.surface import Surface
+from quintrig.table import tabulate
+from quintrig.typeset import shown, to_latex
+
+KEYS = (
+    "gaussian",
+    "mean",
+    "k1",
+    "k2",
+    "shape_index",
+    "curvedness",
+    "beta0",
+    "beta1",
+    "beta2",
+    "gamma1",
+    "gamma2",
+    "gamma3",
+    "hk_type",
+    "shape_class",
+    "point_type",
+    "invariant_type",
+)
+"""What a data table of chapter 4 lists at each corresponding point."""
+
+
+@dataclass(frozen=True)
+class Rows:
+    """A table for people: ``title`` of this part, heads and rows as text, remarks; ``files`` hold it by suffix."""
+
+    title: str
+    heads: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+    notes: tuple[str, ...] = ()
+    files: tuple[tuple[str, str], ...] = ()
+
+
+def tables(item: Item) -> tuple[Rows, ...]:
+    """Return the parts of a table: one, or one for each set of shape parameters."""
+    if item.draw == "signs":
+        return (_signs(item.number),)
+    if item.draw == "validation":
+        return (_validation(item),)
+    return tuple(_data(item))
+
+
+def _signs(number: str) -> Rows:
+    table = next(table for table in SIGN_TABLES if table.number == number)
+    text = _csv([table.columns, *table.rows])
+    return Rows(table.title, table.columns, table.rows, (f"Source: {table.source}.",), ((".csv", text),))
+
+
+def _validation(item: Item) -> Rows:
+    """Compare computed with closed-form curvature of the sphere and the cylinder, over a grid and at its worst."""
+    heads = (
+        "surface",
+        "quantity",
+        "unit",
+        "closed form",
+        "computed, least",
+        "computed, greatest",
+        "largest difference",
+    )
+    rows: list[tuple[str, ...]] = []
+    for name in item.models:
+        patch = model(name).patch()
+        radius = float(getattr(patch.definition, "radius", 1.0))
+        exact = {"gaussian": radius**-2, "mean": -1.0 / radius, "k1": -1.0 / radius, "k2": -1.0 / radius}
+        exact |= {"curvedness": 1.0 / radius, "shape_index": 1.0}
+        if name == "cylinder":
+            exact = {"gaussian": 0.0, "mean": -0.5 / radius, "k1": 0.0, "k2": -1.0 / radius}
+            exact |= {"curvedness": 0.5**0.5 / radius, "shape_index": 0.5}
+        sample = analyse(patch.surface, *grid(129, 129), tuple(exact))
+        for key, value in exact.items():
+            found = sample[key]
+            worst = float(np.nanmax(np.abs(found - value)))
+            unit = BY_KEY[key].unit(model(name).unit)
+            numbers = (value, float(np.nanmin(found)), float(np.nanmax(found)))
+            cells = [f"{number + 0.0:.15g}" for number in numbers]
+            rows.append(
+                (f"{name}, r = {radius:g} {model(name).unit}", BY_KEY[key].symbol, unit, *cells, f"{worst:.1e}")
+            )
+    note = (
+        "Over 129 x 129 points; the poles of the sphere, where this parametrisation has no tangent plane, are left out. "
+        "The normal points outwards, so that H, κ1 and κ2 are negative."
+    )
+    return Rows("Computed against closed form", heads, tuple(rows), (note,), ((".csv", _csv([heads, *rows])),))
+
+
+def _data(item: Item) -> Iterator[Rows]:
+    """Tabulate the corresponding points, once for each set of shape parameters."""
+    base = model(item.models[0])
+    points = labelled_points()
+    u, v = np.array(list(points.values())).T
+    for shape in item.shapes or (None,):
+        surface: Surface = base.patch().surface if shape is None else base.patch().with_shape(shape).surface
+        spelt = "" if shape is None else "(" + ", ".join(f"{value:g}" for value in shape) + ")"
+        title = f"{item.name}: {base.name}{f', shape parameters {spelt}' if spelt else ''}"
+        table = tabulate(surface, u, v, KEYS, unit=base.unit, title=title)
+        columns = table.columns
+        heads = ("point", *(column.heading for column in columns))
+        rows = [(label, *(shown(column.rounded[i]) for column in columns)) for i, label in enumerate(points)]
+        exact = [heads, *((label, *map(str, row)) for label, row in zip(points, table.rows, strict=True))]
+        yield Rows(
+            f"Shape parameters {spelt}" if spelt else base.name,
+            heads,
+            tuple(rows),
+            table.notes,
+            ((".csv", _csv(exact)), (".tex", to_latex(table))),
+        )
+
+
+def _csv(rows: Sequence[Sequence[str]]) -> str:
+    text = io.StringIO()
+    csv.writer(text, lineterminator="\n").writerows(rows)
+    return text.getvalue()
