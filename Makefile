@@ -2,7 +2,7 @@
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: report test check bench extras clean
+.PHONY: report test check bench bench-studio studio bundle extras clean
 
 report: .venv/installed
 	$(BIN)/quintrig report examples/car_boot.toml out/car_boot
@@ -18,6 +18,23 @@ check: .venv/installed-dev
 bench: .venv/installed-dev
 	$(BIN)/python -m bench
 
+# From moving a slider to the drawn frame, in a real browser.
+bench-studio: .venv/installed-dev
+	$(BIN)/python bench/studio.py
+
+# The live studio on an example. The bundle is part of the repository: this builds nothing and needs no Node.
+studio: .venv/installed-studio
+	$(BIN)/quintrig view $(or $(MODEL),examples/car_boot.toml)
+
+# Build the studio's bundle anew after a change to studio/src, or to a table that it holds (needs Node and npm).
+bundle: .venv/installed-dev studio/node_modules
+	$(BIN)/python -m quintrig.studio.data studio/src/data.json
+	cd studio && npx tsc --noEmit && node build.mjs
+
+studio/node_modules: studio/package.json
+	cd studio && npm install --no-package-lock --no-audit --no-fund
+	touch $@
+
 # Everything optional: CAD, meshes, studio, clusters. The tests that need one of them skip without it.
 extras: .venv/installed-dev
 	$(BIN)/python -m pip install --quiet --editable ".[dev,all]"
@@ -28,6 +45,10 @@ extras: .venv/installed-dev
 .venv/installed: .venv/bin/python pyproject.toml
 	$(BIN)/python -m pip install --quiet --editable .
 	touch $@
+
+.venv/installed-studio: .venv/bin/python pyproject.toml
+	$(BIN)/python -m pip install --quiet --editable ".[studio]"
+	touch $@ .venv/installed
 
 .venv/installed-dev: .venv/bin/python pyproject.toml
 	$(BIN)/python -m pip install --quiet --editable ".[dev]"

@@ -5,7 +5,7 @@ from typing import Annotated
 import typer
 
 from quintrig import __version__
-from quintrig.cli import check, compare, grid, new, plot, report, reproduce, schema, sweep, table
+from quintrig.cli import check, compare, grid, new, plot, report, reproduce, schema, sweep, table, view
 
 _HELP = """Quintic trigonometric Bézier surfaces: build them, read their curvature, decide.
 
@@ -31,7 +31,7 @@ def build() -> typer.Typer:
         context_settings={"help_option_names": ["-h", "--help"]},
     )
     app.callback(help=_HELP, epilog=_EPILOG)(_options)
-    for module in (new, check, table, grid, plot, report, compare, reproduce, sweep, schema):
+    for module in (new, check, table, grid, plot, report, compare, view, reproduce, sweep, schema):
         module.register(app)
     return app
 

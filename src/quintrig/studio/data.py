@@ -5,6 +5,7 @@ ranges and colours are stated once.
 """
 
 import sys
+import tomllib
 from pathlib import Path
 from typing import Any, cast
 
@@ -19,6 +20,7 @@ from quintrig.figure import palette
 from quintrig.files import write_whole
 from quintrig.model import SCHEMA_VERSION, UNITS, load
 from quintrig.quantity import QUANTITIES, Quantity
+from quintrig.starter import starter
 from quintrig.studio.page import as_json
 
 SHAPE_SETS: dict[int, tuple[tuple[float, ...], ...]] = {
@@ -51,6 +53,7 @@ def table() -> dict[str, Any]:
             "sequential": _stops(palette.SEQUENTIAL),
         },
         "presets": _presets(),
+        "starters": {kind: tomllib.loads(starter(kind)) for kind in KINDS},
     }
 
 

@@ -1,2 +1,4671 @@
-/* quintrig studio; sources sha256 b9a950875d6bae8b69780aec03eb9ef10d0869aca095c26a9a66dcf6acb69421; contains three.js (MIT, three.js authors) */
-var Ue={relative:1e-6,flat:1e-6};function Oe(n,e,t,r,o){if(!(Math.abs(t)<1e300))return 0;if(t<=o)return 5;let a=Math.abs(n)<=r*t*t?0:n>0?1:-1;return 1+3*(1+(Math.abs(e)<=r*t?0:e>0?1:-1))+(1-a)}function Be(n,e,t,r){if(n===0)return 0;if(n===5)return 4;let o=(n-1)%3;return o===0?e<=r*t?5:1:o===1?3:2}function We(n,e){if(e===0)return 0;if(e===5)return 10;let t=1;for(let r of[-.875,-.625,-.375,-.125])n>=r&&t++;for(let r of[.125,.375,.625,.875])n>r&&t++;return t}function Ye(n,e,t){let r=.5*(n-t);return Math.sqrt(r*r+e*e)}function Xe(n,e,t,r){return t>r?-2/Math.PI*Math.atan2(n,e):NaN}var Fe=1,Ae=0;function Ze(n,e,t,r){let o=.5*(n-t),a=o>=0?r+o:e,s=o>=0?e:r-o,i=Math.sqrt(a*a+s*s);Fe=a/i,Ae=s/i}function et(n,e,t,r,o,a,s){s[0]=n*r*r+2*e*r*o+t*o*o,s[1]=a*((t-n)*r*o+e*(r*r-o*o)),s[2]=n*o*o-2*e*r*o+t*r*r}function tt(n,e,t,r,o,a){let s=1/o,i=s*s,l=i*s;a[0]=e*i,a[1]=(n[0]+2*t*o*o)*l,a[2]=r*i*i,a[3]=n[0]*l*i,a[4]=n[1]*i*i,a[5]=n[2]*l}function rt(n,e,t,r,o,a){a[0]=e,a[1]=2*o*t,a[2]=o*o*r,a[3]=o*n[0],a[4]=Math.abs(o)*n[1],a[5]=o*n[2]}var J={version:"0.1.0",schema:1,units:["um","mm","cm","m","km","in","ft"],shapeRange:[-4,1],shapeSets:{"4":[[1,1,1,1],[1,1,-3,-3],[1,-3,1,-3],[1,0,-2,-3]],"2":[[1,1],[0,-4],[-2,0],[-2,-4]]},quantities:[{key:"point",symbol:"S",latex:"\\mathbf{S}",name:"point",meaning:"position",source:"thesis eq. 3.1",power:1,parity:"even",colour:"vector",partner:"",components:3,classes:[]},{key:"normal",symbol:"n",latex:"\\mathbf{n}",name:"unit normal",meaning:"S_u × S_v, normalised",source:"do Carmo 1976, §2.5-3.3",power:0,parity:"odd",colour:"vector",partner:"",components:3,classes:[]},{key:"E",symbol:"E",latex:"E",name:"first form E",meaning:"S_u · S_u",source:"do Carmo 1976, §2.5-3.3",power:2,parity:"even",colour:"sequential",partner:"",components:1,classes:[]},{key:"F",symbol:"F",latex:"F",name:"first form F",meaning:"S_u · S_v",source:"do Carmo 1976, §2.5-3.3",power:2,parity:"even",colour:"diverging",partner:"",components:1,classes:[]},{key:"G",symbol:"G",latex:"G",name:"first form G",meaning:"S_v · S_v",source:"do Carmo 1976, §2.5-3.3",power:2,parity:"even",colour:"sequential",partner:"",components:1,classes:[]},{key:"L",symbol:"L",latex:"L",name:"second form L",meaning:"S_uu · n",source:"do Carmo 1976, §2.5-3.3",power:1,parity:"odd",colour:"diverging",partner:"",components:1,classes:[]},{key:"M",symbol:"M",latex:"M",name:"second form M",meaning:"S_uv · n",source:"do Carmo 1976, §2.5-3.3",power:1,parity:"odd",colour:"diverging",partner:"",components:1,classes:[]},{key:"N",symbol:"N",latex:"N",name:"second form N",meaning:"S_vv · n",source:"do Carmo 1976, §2.5-3.3",power:1,parity:"odd",colour:"diverging",partner:"",components:1,classes:[]},{key:"gaussian",symbol:"K",latex:"K",name:"Gaussian curvature",meaning:"dome or bowl (+), developable (0), saddle (-)",source:"do Carmo 1976, §2.5-3.3",power:-2,parity:"even",colour:"diverging",partner:"",components:1,classes:[]},{key:"mean",symbol:"H",latex:"H",name:"mean curvature",meaning:"bends towards the normal (+) or away from it (-)",source:"do Carmo 1976, §2.5-3.3",power:-1,parity:"odd",colour:"diverging",partner:"",components:1,classes:[]},{key:"k1",symbol:"κ1",latex:"\\kappa_1",name:"larger principal curvature",meaning:"H + R",source:"do Carmo 1976, §2.5-3.3",power:-1,parity:"swap",colour:"diverging",partner:"k2",components:1,classes:[]},{key:"k2",symbol:"κ2",latex:"\\kappa_2",name:"smaller principal curvature",meaning:"H - R",source:"do Carmo 1976, §2.5-3.3",power:-1,parity:"swap",colour:"diverging",partner:"k1",components:1,classes:[]},{key:"direction1",symbol:"d1",latex:"\\mathbf{d}_1",name:"direction of κ1",meaning:"unit tangent, NaN at umbilics",source:"do Carmo 1976, §2.5-3.3",power:0,parity:"swap",colour:"vector",partner:"direction2",components:3,classes:[]},{key:"direction2",symbol:"d2",latex:"\\mathbf{d}_2",name:"direction of κ2",meaning:"unit tangent, NaN at umbilics",source:"do Carmo 1976, §2.5-3.3",power:0,parity:"swap",colour:"vector",partner:"direction1",components:3,classes:[]},{key:"shape_index",symbol:"S",latex:"S",name:"shape index",meaning:"cup -1, rut -1/2, saddle 0, ridge +1/2, cap +1 (n towards the viewer)",source:"Koenderink and van Doorn 1992",power:0,parity:"odd",colour:"diverging",partner:"",components:1,classes:[]},{key:"curvedness",symbol:"C",latex:"C",name:"curvedness",meaning:"how strongly it bends, whatever the shape",source:"Koenderink and van Doorn 1992",power:-1,parity:"even",colour:"sequential",partner:"",components:1,classes:[]},{key:"beta0",symbol:"β0",latex:"\\beta_0",name:"squared slope",meaning:"square of the slope, in the metric of the horizontal plane (the definition for a height field)",source:"Fujita and Ohsaki 2009; Iri et al. 2001",power:0,parity:"even",colour:"sequential",partner:"",components:1,classes:[]},{key:"beta1",symbol:"β1",latex:"\\beta_1",name:"Laplacian of the height",meaning:"bowl-like (+) or roof-like (-), in the metric of the horizontal plane (the definition for a height field)",source:"Fujita and Ohsaki 2009; Iri et al. 2001",power:-1,parity:"even",colour:"diverging",partner:"",components:1,classes:[]},{key:"beta2",symbol:"β2",latex:"\\beta_2",name:"Hessian determinant",meaning:"dome or bowl (+), developable (0), saddle (-), in the metric of the horizontal plane (the definition for a height field)",source:"Fujita and Ohsaki 2009; Iri et al. 2001",power:-2,parity:"even",colour:"diverging",partner:"",components:1,classes:[]},{key:"gamma1",symbol:"γ1",latex:"\\gamma_1",name:"bending along steepest descent",meaning:"convex (+) or concave (-) downhill, in the metric of the horizontal plane (the definition for a height field)",source:"Fujita and Ohsaki 2009; Iri et al. 2001",power:-1,parity:"even",colour:"diverging",partner:"",components:1,classes:[]},{key:"gamma2",symbol:"γ2",latex:"\\gamma_2",name:"twist of steepest descent",meaning:"0 on crest and trough lines, in the metric of the horizontal plane (the definition for a height field)",source:"Fujita and Ohsaki 2009; Iri et al. 2001",power:-1,parity:"even",colour:"diverging",partner:"",components:1,classes:[]},{key:"gamma3",symbol:"γ3",latex:"\\gamma_3",name:"bending along the contour",meaning:"contour bends uphill (+) or downhill (-), in the metric of the horizontal plane (the definition for a height field)",source:"Fujita and Ohsaki 2009; Iri et al. 2001",power:-1,parity:"even",colour:"diverging",partner:"",components:1,classes:[]},{key:"beta0_surface",symbol:"β0ˢ",latex:"\\beta_0^{S}",name:"squared slope",meaning:"square of the slope, in the metric of the surface",source:"Fujita and Ohsaki 2009; Iri et al. 2001",power:0,parity:"even",colour:"sequential",partner:"",components:1,classes:[]},{key:"beta1_surface",symbol:"β1ˢ",latex:"\\beta_1^{S}",name:"Laplacian of the height",meaning:"bowl-like (+) or roof-like (-), in the metric of the surface",source:"Fujita and Ohsaki 2009; Iri et al. 2001",power:-1,parity:"even",colour:"diverging",partner:"",components:1,classes:[]},{key:"beta2_surface",symbol:"β2ˢ",latex:"\\beta_2^{S}",name:"Hessian determinant",meaning:"dome or bowl (+), developable (0), saddle (-), in the metric of the surface",source:"Fujita and Ohsaki 2009; Iri et al. 2001",power:-2,parity:"even",colour:"diverging",partner:"",components:1,classes:[]},{key:"gamma1_surface",symbol:"γ1ˢ",latex:"\\gamma_1^{S}",name:"bending along steepest descent",meaning:"convex (+) or concave (-) downhill, in the metric of the surface",source:"Fujita and Ohsaki 2009; Iri et al. 2001",power:-1,parity:"even",colour:"diverging",partner:"",components:1,classes:[]},{key:"gamma2_surface",symbol:"γ2ˢ",latex:"\\gamma_2^{S}",name:"twist of steepest descent",meaning:"0 on crest and trough lines, in the metric of the surface",source:"Fujita and Ohsaki 2009; Iri et al. 2001",power:-1,parity:"even",colour:"diverging",partner:"",components:1,classes:[]},{key:"gamma3_surface",symbol:"γ3ˢ",latex:"\\gamma_3^{S}",name:"bending along the contour",meaning:"contour bends uphill (+) or downhill (-), in the metric of the surface",source:"Fujita and Ohsaki 2009; Iri et al. 2001",power:-1,parity:"even",colour:"diverging",partner:"",components:1,classes:[]},{key:"point_type",symbol:"point type",latex:"\\mathrm{type}",name:"point type",meaning:"signs of κ1 and κ2",source:"thesis table 3.1",power:0,parity:"even",colour:"classes",partner:"",components:1,classes:["undefined","elliptic","hyperbolic","parabolic","planar","umbilic"]},{key:"hk_type",symbol:"HK type",latex:"HK",name:"HK type",meaning:"signs of K and H, n towards the viewer",source:"Besl and Jain 1986; thesis table 3.2",power:0,parity:"mirror",colour:"classes",partner:"",components:1,classes:["undefined","peak","ridge","saddle ridge","impossible","flat","minimal","pit","valley","saddle valley"]},{key:"shape_class",symbol:"shape class",latex:"S\\,\\mathrm{class}",name:"shape class",meaning:"nine ranges of the shape index",source:"Koenderink and van Doorn 1992; thesis table 3.3",power:0,parity:"mirror",colour:"classes",partner:"",components:1,classes:["undefined","spherical cup","trough","rut","saddle rut","saddle","saddle ridge","ridge","dome","spherical cap","planar"]},{key:"invariant_type",symbol:"invariant type",latex:"\\beta\\,\\mathrm{type}",name:"invariant type",meaning:"signs of β1 and β2, seen from above",source:"Fujita and Ohsaki 2009; thesis table 3.4",power:0,parity:"even",colour:"classes",partner:"",components:1,classes:["undefined","dome","roof","saddle roof","impossible","level or tilted plane","balanced saddle","bowl","trough","saddle trough"]}],kinds:{tensor:{title:"Tensor-product surface",construction:!0,fields:{flip:{description:"Turn the normal to the other side",required:!1,default:!1,type:"boolean"},shape:{description:"Shape parameters (α1, ζ1, α2, ζ2), each in [-4, 1]; first pair in u",required:!1,default:[0,0,0,0],type:"shape"},basis:{description:"'bernstein' gives the classical surface on the same points",required:!1,default:"trigonometric",type:"choice",choices:["trigonometric","bernstein"]},unchecked_shape:{description:"Allow shape parameters outside [-4, 1]; the convex-hull property is then lost",required:!1,default:!1,type:"boolean"},points:{description:"6 x 6 control points [x, y, z]; points[i][j] with i along u, j along v",required:!0,type:"points",counts:[6,6],dimension:3}}},symmetric:{title:"Tensor-product surface that is its own mirror image",construction:!0,fields:{flip:{description:"Turn the normal to the other side",required:!1,default:!1,type:"boolean"},shape:{description:"Shape parameters (α1, ζ1, α2, ζ2), each in [-4, 1]; first pair in u",required:!1,default:[0,0,0,0],type:"shape"},basis:{description:"'bernstein' gives the classical surface on the same points",required:!1,default:"trigonometric",type:"choice",choices:["trigonometric","bernstein"]},unchecked_shape:{description:"Allow shape parameters outside [-4, 1]; the convex-hull property is then lost",required:!1,default:!1,type:"boolean"},points:{description:"3 x 6 control points, half of the net; the other three rows are mirrored",required:!0,type:"points",counts:[3,6],dimension:3},mirror:{description:"Mirror plane [a, b, c, d]: a x + b y + c z + d = 0",required:!0,type:"plane"}}},swept:{title:"Translational sweep of a section along a trajectory",construction:!0,fields:{flip:{description:"Turn the normal to the other side",required:!1,default:!1,type:"boolean"},shape:{description:"Shape parameters (α1, ζ1, α2, ζ2), each in [-4, 1]; first pair in u",required:!1,default:[0,0,0,0],type:"shape"},basis:{description:"'bernstein' gives the classical surface on the same points",required:!1,default:"trigonometric",type:"choice",choices:["trigonometric","bernstein"]},unchecked_shape:{description:"Allow shape parameters outside [-4, 1]; the convex-hull property is then lost",required:!1,default:!1,type:"boolean"},section:{description:"6 points [x, y, z] of the section curve, along u",required:!0,type:"points",counts:[6],dimension:3},trajectory:{description:"6 points [x, y, z] of the trajectory curve, along v",required:!0,type:"points",counts:[6],dimension:3}}},swung:{title:"Profile swung along a plane trajectory",construction:!0,fields:{flip:{description:"Turn the normal to the other side",required:!1,default:!1,type:"boolean"},shape:{description:"Shape parameters (α1, ζ1, α2, ζ2), each in [-4, 1]; first pair in u",required:!1,default:[0,0,0,0],type:"shape"},basis:{description:"'bernstein' gives the classical surface on the same points",required:!1,default:"trigonometric",type:"choice",choices:["trigonometric","bernstein"]},unchecked_shape:{description:"Allow shape parameters outside [-4, 1]; the convex-hull property is then lost",required:!1,default:!1,type:"boolean"},profile:{description:"6 pairs [r, z] of the profile curve, along u",required:!0,type:"points",counts:[6],dimension:2},trajectory:{description:"6 pairs [x, y] of the trajectory curve, along v",required:!0,type:"points",counts:[6],dimension:2},scale:{description:"Scale factor λ of the trajectory",required:!1,default:1,type:"number"}}},ruled:{title:"Straight lines between two curves",construction:!0,fields:{flip:{description:"Turn the normal to the other side",required:!1,default:!1,type:"boolean"},shape:{description:"Shape parameters (α1, ζ1, α2, ζ2), each in [-4, 1]; first pair in u",required:!1,default:[0,0,0,0],type:"shape"},basis:{description:"'bernstein' gives the classical surface on the same points",required:!1,default:"trigonometric",type:"choice",choices:["trigonometric","bernstein"]},unchecked_shape:{description:"Allow shape parameters outside [-4, 1]; the convex-hull property is then lost",required:!1,default:!1,type:"boolean"},first:{description:"6 points [x, y, z] of the curve at v = 0, with (α1, ζ1)",required:!0,type:"points",counts:[6],dimension:3},second:{description:"6 points [x, y, z] of the curve at v = 1, with (α2, ζ2)",required:!0,type:"points",counts:[6],dimension:3}}},developable:{title:"Strip enveloped by a family of planes",construction:!0,fields:{flip:{description:"Turn the normal to the other side",required:!1,default:!1,type:"boolean"},shape:{description:"Shape parameters (α, ζ), each in [-4, 1]",required:!1,default:[0,0],type:"shape"},planes:{description:"6 control planes [a, b, c, d]: a x + b y + c z + d = 0",required:!0,type:"points",counts:[6],dimension:4},bounds:{description:"2 planes [a, b, c, d] that cut the rulings at v = 0 and v = 1",required:!0,type:"points",counts:[2],dimension:4},unchecked_shape:{description:"Allow shape parameters outside [-4, 1]",required:!1,default:!1,type:"boolean"}}},nurbs:{title:"NURBS surface, such as a face read from a CAD file",construction:!1,fields:{flip:{description:"Turn the normal to the other side",required:!1,default:!1,type:"boolean"},degrees:{description:"Degrees (p, q) in u and v",required:!0,type:"raw"},knots:{description:"Full knot vectors in u and v: control points + degree + 1 numbers each; u, v in [0, 1] span them",required:!0,type:"raw"},points:{description:"Control points [x, y, z]; points[i][j] with i along u, j along v",required:!0,type:"raw"},weights:{description:"Weights of the control points, all 1 when left out",required:!1,default:null,type:"raw"},trim:{description:"Closed loops of [u, v] that bound the face on its surface",required:!1,default:[],type:"raw"}}},sphere:{title:"Sphere",construction:!1,fields:{flip:{description:"Turn the normal to the other side",required:!1,default:!1,type:"boolean"},radius:{description:"Radius",required:!1,default:1,type:"positive"}}},ellipsoid:{title:"Ellipsoid x²/a² + y²/b² + z²/c² = 1",construction:!1,fields:{flip:{description:"Turn the normal to the other side",required:!1,default:!1,type:"boolean"},a:{description:"Half axis along x",required:!1,default:3,type:"positive"},b:{description:"Half axis along y",required:!1,default:2,type:"positive"},c:{description:"Half axis along z",required:!1,default:1,type:"positive"}}},cylinder:{title:"Circular cylinder",construction:!1,fields:{flip:{description:"Turn the normal to the other side",required:!1,default:!1,type:"boolean"},radius:{description:"Radius",required:!1,default:1,type:"positive"},height:{description:"Height along z",required:!1,default:2,type:"positive"}}},cone:{title:"Cone with its apex up",construction:!1,fields:{flip:{description:"Turn the normal to the other side",required:!1,default:!1,type:"boolean"},radius:{description:"Radius of the base",required:!1,default:1,type:"positive"},height:{description:"Height along z",required:!1,default:2,type:"positive"}}},torus:{title:"Torus",construction:!1,fields:{flip:{description:"Turn the normal to the other side",required:!1,default:!1,type:"boolean"},major:{description:"Radius of the circle of centres",required:!1,default:3,type:"positive"},minor:{description:"Radius of the tube",required:!1,default:1,type:"positive"}}},catenoid:{title:"Catenoid, a minimal surface",construction:!1,fields:{flip:{description:"Turn the normal to the other side",required:!1,default:!1,type:"boolean"},waist:{description:"Radius of the waist",required:!1,default:1,type:"positive"},height:{description:"Height along z",required:!1,default:2,type:"positive"}}},helicoid:{title:"One turn of a helicoid, a minimal surface",construction:!1,fields:{flip:{description:"Turn the normal to the other side",required:!1,default:!1,type:"boolean"},radius:{description:"Half length of the rulings",required:!1,default:1,type:"positive"},pitch:{description:"Rise in one turn",required:!1,default:2,type:"number"}}},hyperbolic_paraboloid:{title:"z = x y",construction:!1,fields:{flip:{description:"Turn the normal to the other side",required:!1,default:!1,type:"boolean"},size:{description:"Half side of the square of parameters",required:!1,default:1,type:"positive"}}},monkey_saddle:{title:"z = x³ - 3 x y²",construction:!1,fields:{flip:{description:"Turn the normal to the other side",required:!1,default:!1,type:"boolean"},size:{description:"Half side of the square of parameters",required:!1,default:1,type:"positive"}}},enneper:{title:"Enneper's minimal surface",construction:!1,fields:{flip:{description:"Turn the normal to the other side",required:!1,default:!1,type:"boolean"},size:{description:"Half side of the square of parameters",required:!1,default:1,type:"positive"}}}},palette:{undefined:"#7d7d7d",front:"#9dc3e0",back:"#e8c793",series:["#0072b2","#d55e00","#009e73","#cc79a7","#e69f00","#56b4e9","#000000","#a6761d"],classes:{point_type:["#7d7d7d","#d9541e","#5fd99a","#f5a623","#f2f0ea","#7f1d0f"],hk_type:["#7d7d7d","#d9541e","#f5a623","#fbe26a","#000000","#f2f0ea","#5fd99a","#2166ac","#56a0d3","#a6d8f0"],shape_class:["#7d7d7d","#08306b","#2166ac","#56a0d3","#a6d8f0","#5fd99a","#fbe26a","#f5a623","#d9541e","#7f1d0f","#f2f0ea"],invariant_type:["#7d7d7d","#d9541e","#f5a623","#fbe26a","#000000","#f2f0ea","#5fd99a","#2166ac","#56a0d3","#a6d8f0"]},diverging:["#12406f","#194e80","#215c91","#286aa2","#2f78b3","#4387bc","#5796c5","#6ca5cd","#80b4d6","#92bfdc","#a5cae1","#b7d5e7","#cadfec","#d5e5ed","#e0eaee","#ebefee","#f6f3ee","#f7ebe2","#f7e3d6","#f8dbca","#f8d2be","#f4c4ac","#f1b59a","#eda789","#e99878","#e18369","#d96f5b","#d05a4c","#c7473e","#b53938","#a32b32","#921e2b","#821226"],sequential:["#f3f1d8","#ebeed0","#e3eac8","#dbe7c0","#d3e3b8","#cbe0b0","#c0dcac","#b4d6a9","#a7d1a5","#9acca2","#8ec79f","#82c29d","#76bb9c","#6bb59c","#60ae9b","#55a89b","#4aa29a","#459b98","#409497","#3a8d95","#358694","#307f92","#2f7890","#2e708d","#2d698b","#2d6288","#2c5b85","#2c5481","#2d4c7b","#2d4575","#2d3d6f","#2e3668","#2e2f63"]},presets:[]};var ke=J.quantities,de=Object.fromEntries(ke.map(n=>[n.key,n]));var z=class{constructor(e,t){this.points=e;this.functions=t;this.size=e.m,this.dimension=e.dimension}points;functions;size;dimension;scratch=new Float64Array(0);derivatives(e,t,r){let o=this.functions.size,a=this.size*this.dimension,s=this.points.values;this.scratch.length<3*t*o&&(this.scratch=new Float64Array(3*t*o));let i=this.scratch;this.functions.derivatives(e,t,i);for(let l=0;l<3*t;l++)for(let u=0;u<a;u++){let c=0;for(let p=0;p<o;p++)c+=i[l*o+p]*s[p*a+u];r[l*a+u]=c}}},Se=class{constructor(e){this.homogeneous=e;this.size=e.size}homogeneous;size;dimension=3;scratch=new Float64Array(0);derivatives(e,t,r){let o=this.size,a=4*t*o;this.scratch.length<3*a&&(this.scratch=new Float64Array(3*a));let s=this.scratch;this.homogeneous.derivatives(e,t,s);for(let i=0;i<t*o;i++){let l=s[4*i+3],u=s[a+4*i+3],c=s[2*a+4*i+3]/2;for(let p=0;p<3;p++){let f=s[4*i+p]/l,m=(s[a+4*i+p]-f*u)/l,d=(s[2*a+4*i+p]/2-(f*c+m*u))/l;r[3*i+p]=f,r[3*(t*o+i)+p]=m,r[3*(2*t*o+i)+p]=2*d}}}},Q=17,nt=Float64Array.from({length:Q},(n,e)=>e/(Q-1));function ot(n){let{rows:e,blend:t}=n,r=e.size,o=e.dimension,a=new Float64Array(3*Q*r*o),s=new Float64Array(3*Q*r);e.derivatives(nt,Q,a),t.derivatives(nt,Q,s);let i=[1/0,1/0,1/0],l=[-1/0,-1/0,-1/0],u=[0,0,0,1];for(let p=0;p<Q;p++)for(let f=0;f<Q;f++){for(let m=0;m<o;m++){u[m]=0;for(let d=0;d<r;d++)u[m]+=a[(p*r+d)*o+m]*s[f*r+d]}for(let m=0;m<3;m++){let d=o===4?u[m]/u[3]:u[m];i[m]=Math.min(i[m],d),l[m]=Math.max(l[m],d)}}let c=Math.sqrt(i.reduce((p,f,m)=>p+(l[m]-f)**2,0));return{low:i,high:l,size:c}}var Zt=4096*2**-52,at=1e-12,w={a:0,b:1,c:2,normal:3,e1:6,e2:9,point:12,forms:15,mean:21,radius:22,gaussian:23,curvedness:24},er=25,qe=class{nu=0;nv=0;count=0;size=0;sign=1;stride=0;planes=new Float64Array(0);low=[0,0,0];high=[0,0,0];rows=new Float64Array(0);blend=new Float64Array(0);u=new Float64Array(0);v=new Float64Array(0);evaluate(e,t,r){this.u.length!==t&&(this.u=lt(t)),this.v.length!==r&&(this.v=lt(r)),this.evaluateAt(e,this.u,this.v,!0)}evaluateAt(e,t,r,o){let a=ot(e);this.low=a.low,this.high=a.high,this.size=a.size,this.sign=e.flip?-1:1,this.nu=o?t.length:1,this.nv=r.length,this.count=this.nu*this.nv;let s=e.rows.size,i=e.rows.dimension;this.rows.length<3*t.length*s*i&&(this.rows=new Float64Array(3*t.length*s*i)),this.blend.length<3*r.length*s&&(this.blend=new Float64Array(3*r.length*s)),this.stride<this.count&&(this.stride=this.count,this.planes=new Float64Array(er*this.stride)),e.rows.derivatives(t,t.length,this.rows),e.blend.derivatives(r,r.length,this.blend);let l=Zt*this.size*this.size;i===4?this.driveRational(s,t.length,r.length,o,l):this.drive(s,t.length,r.length,o,l)}quantity(e,t,r){nr(this,e,t,r)}drive(e,t,r,o,a){let{rows:s,blend:i}=this,l=3*e*t,u=e*r;for(let c=0;c<this.count;c++){let p=o?c/r|0:c,f=o?c-p*r:c,m=0,d=0,y=0,x=0,_=0,P=0,re=0,v=0,h=0,b=0,q=0,N=0,G=0,k=0,E=0,V=0,ne=0,ue=0;for(let U=0,$=3*e*p,j=e*f;U<e;U++,$+=3,j++){let S=i[j],T=i[j+u],L=i[j+2*u],B=s[$],oe=s[$+1],K=s[$+2],W=s[$+l],Y=s[$+l+1],X=s[$+l+2];m+=B*S,d+=oe*S,y+=K*S,x+=W*S,_+=Y*S,P+=X*S,re+=B*T,v+=oe*T,h+=K*T,b+=s[$+2*l]*S,q+=s[$+2*l+1]*S,N+=s[$+2*l+2]*S,G+=W*T,k+=Y*T,E+=X*T,V+=B*L,ne+=oe*L,ue+=K*L}this.reduce(c,m,d,y,x,_,P,re,v,h,b,q,N,G,k,E,V,ne,ue,a)}}driveRational(e,t,r,o,a){let{rows:s,blend:i}=this,l=4*e*t,u=e*r,c=new Float64Array(24);for(let p=0;p<this.count;p++){let f=o?p/r|0:p,m=o?p-f*r:p;c.fill(0);for(let v=0,h=4*e*f,b=e*m;v<e;v++,h+=4,b++){let q=i[b],N=i[b+u],G=i[b+2*u];for(let k=0;k<4;k++){let E=s[h+k],V=s[h+l+k];c[k]+=E*q,c[4+k]+=V*q,c[8+k]+=E*N,c[12+k]+=s[h+2*l+k]*q,c[16+k]+=V*N,c[20+k]+=E*G}}let d=c[3],y=c[7],x=c[11],_=c[15],P=c[19],re=c[23];for(let v=0;v<3;v++){let h=c[v]/d,b=(c[4+v]-y*h)/d,q=(c[8+v]-x*h)/d;c[12+v]=(c[12+v]-2*y*b-_*h)/d,c[16+v]=(c[16+v]-y*q-x*b-P*h)/d,c[20+v]=(c[20+v]-2*x*q-re*h)/d,c[v]=h,c[4+v]=b,c[8+v]=q}this.reduce(p,c[0],c[1],c[2],c[4],c[5],c[6],c[8],c[9],c[10],c[12],c[13],c[14],c[16],c[17],c[18],c[20],c[21],c[22],a)}}reduce(e,t,r,o,a,s,i,l,u,c,p,f,m,d,y,x,_,P,re,v){let h=this.planes,b=this.stride,q=this.sign,N=a*a+s*s+i*i,G=a*l+s*u+i*c,k=l*l+u*u+c*c,E=s*c-i*u,V=i*l-a*c,ne=a*u-s*l,ue=Math.sqrt(E*E+V*V+ne*ne),U=ue>v?1/ue:NaN,$=q*U,j=E*$,S=V*$,T=ne*$,L=p*j+f*S+m*T,B=d*j+y*S+x*T,oe=_*j+P*S+re*T,K=G/N,W=L/N,Y=(B-K*L)*U,X=(oe-2*K*B+K*K*L)*(N*U)*U,Te=.5*(W+X),Me=Ye(W,Y,X),Ie=1/Math.sqrt(N),Ne=a*Ie,je=s*Ie,Re=i*Ie;h[e]=W,h[b+e]=Y,h[2*b+e]=X,h[3*b+e]=j,h[4*b+e]=S,h[5*b+e]=T,h[6*b+e]=Ne,h[7*b+e]=je,h[8*b+e]=Re,h[9*b+e]=q*(S*Re-T*je),h[10*b+e]=q*(T*Ne-j*Re),h[11*b+e]=q*(j*je-S*Ne),h[12*b+e]=t,h[13*b+e]=r,h[14*b+e]=o,h[15*b+e]=N,h[16*b+e]=G,h[17*b+e]=k,h[18*b+e]=L,h[19*b+e]=B,h[20*b+e]=oe,h[21*b+e]=Te,h[22*b+e]=Me,h[23*b+e]=W*X-Y*Y,h[24*b+e]=Math.sqrt(Te*Te+Me*Me)}},tr=["E","F","G","L","M","N"],rr=["beta0","beta1","beta2","gamma1","gamma2","gamma3"],Ee=new Float64Array(3),ae=new Float64Array(6);function nr(n,e,t,r){let{planes:o,stride:a,count:s}=n,i=(d,y=1)=>{for(let x=0;x<y;x++)for(let _=0,P=(d+x)*a;_<s;_++,P++)t[y*_+x]=o[P]},l=n.size>0?1/n.size:1/0,u=r.flat*l,c=r.relative;switch(e){case"point":return i(w.point,3);case"normal":return i(w.normal,3);case"gaussian":return i(w.gaussian);case"mean":return i(w.mean);case"curvedness":return i(w.curvedness);case"k1":case"k2":{let d=e==="k1"?1:-1;for(let y=0;y<s;y++)t[y]=o[w.mean*a+y]+d*o[w.radius*a+y];return}case"direction1":case"direction2":return or(n,e==="direction2",c,t);case"shape_index":for(let d=0;d<s;d++)t[d]=st(o,a,d,at*l);return;case"hk_type":for(let d=0;d<s;d++)t[d]=Je(o,a,d,c,u);return;case"point_type":for(let d=0;d<s;d++){let y=Je(o,a,d,c,u);t[d]=Be(y,o[w.radius*a+d],o[w.curvedness*a+d],c)}return;case"shape_class":for(let d=0;d<s;d++)t[d]=We(st(o,a,d,at*l),Je(o,a,d,c,u));return;case"invariant_type":for(let d=0;d<s;d++){it(n,d,!0);let y=.5*ae[1],x=2*y*y-ae[2];t[d]=Oe(ae[2],y,Math.sqrt(x<0?0:x),c,u)}return}let p=tr.indexOf(e);if(p>=0)return i(w.forms+p);let f=e.endsWith("_surface"),m=rr.indexOf(f?e.slice(0,-8):e);if(m<0)throw new Error(`unknown quantity '${e}'; known are ${Object.keys(de).join(", ")}`);for(let d=0;d<s;d++)it(n,d,!f),t[d]=ae[m]}function Je(n,e,t,r,o){return Oe(n[w.gaussian*e+t],n[w.mean*e+t],n[w.curvedness*e+t],r,o)}function st(n,e,t,r){return Xe(n[w.mean*e+t],n[w.radius*e+t],n[w.curvedness*e+t],r)}function it(n,e,t){let{planes:r,stride:o}=n,a=r[(w.e1+2)*o+e],s=r[(w.e2+2)*o+e],i=r[(w.normal+2)*o+e];et(r[e],r[o+e],r[2*o+e],a,s,n.sign,Ee);let l=a*a+s*s,u=r[w.mean*o+e],c=r[w.gaussian*o+e];t?tt(Ee,l,u,c,i,ae):rt(Ee,l,u,c,i,ae)}function or(n,e,t,r){let{planes:o,stride:a,count:s}=n;for(let i=0;i<s;i++){let l=o[w.radius*a+i],u=l>t*o[w.curvedness*a+i];Ze(o[i],o[a+i],o[2*a+i],l);for(let c=0;c<3;c++){let p=o[(w.e1+c)*a+i],f=o[(w.e2+c)*a+i],m=e?Fe*f-Ae*p:Fe*p+Ae*f;r[3*i+c]=u?m:NaN}}}var lt=n=>Float64Array.from({length:n},(e,t)=>t===n-1?1:t/(n-1));function ar(n,e,t,r=!1,o=ke.map(s=>s.key),a=Ue){for(let i of[...Array.from(e),...Array.from(t)])if(!(i>=0&&i<=1))throw new Error(`parameter ${i} is outside the domain [0, 1]`);let s=new qe;return s.evaluateAt(n,Float64Array.from(e),Float64Array.from(t),!r),Object.fromEntries(o.map(i=>{let l=new Float64Array(s.count*(de[i]?.components??1));return s.quantity(i,l,a),[i,l]}))}var g=()=>new Float64Array(3);function A(n,e,t){let r=n[0],o=n[1],a=n[2],s=e[0],i=e[1],l=e[2];return t[0]=r*s,t[1]=r*i+o*s,t[2]=r*l+o*i+a*s,t}function R(n,e,t,r,o,a){return a[0]=n*e[0]+t*r[0]+o,a[1]=n*e[1]+t*r[1],a[2]=n*e[2]+t*r[2],a}function Pe(n,e,t){let r=.5*n[1];return t[1]=n[0],t[2]=r,t[0]=e,t}function ct(n,e){return e[0]=n[1],e[1]=2*n[2],e[2]=0,e}function pe(n,e,t){t[0].fill(0),t[0][0]=1;for(let r=1;r<=e;r++)A(t[r-1],n,t[r])}var me=n=>Array.from({length:n},g);var ut=.5*Math.PI,Z=class{constructor(e,t){this.start=e;this.end=t}start;end;size=2;derivatives(e,t,r){let o=this.end-this.start,a=ut*o;for(let s=0;s<t;s++){Ve(this.start+o*e[s]);let i=fe,l=he;r[2*s]=l,r[2*s+1]=i,r[2*(t+s)]=a*-i,r[2*(t+s)+1]=a*l,r[2*(2*t+s)]=a*a*-l,r[2*(2*t+s)+1]=a*a*-i}}},_e=class{constructor(e,t){this.start=e;this.end=t}start;end;size=2;derivatives(e,t,r){let o=this.end-this.start;for(let a=0;a<t;a++){let s=this.start+o*e[a],i=Math.cosh(s),l=Math.sinh(s);for(let u=0,c=1;u<3;u++,c*=o)r[2*(u*t+a)]=c*(u===1?l:i),r[2*(u*t+a)+1]=c*(u===1?i:l)}}},O=class{constructor(e,t,r){this.start=e;this.end=t;this.degree=r;this.size=r+1}start;end;degree;size;derivatives(e,t,r){let o=g(),a=me(this.size),s=this.size;o[1]=this.end-this.start;for(let i=0;i<t;i++){o[0]=this.start+(this.end-this.start)*e[i],pe(o,this.degree,a);for(let l=0;l<s;l++)H(a[l],r,t,i,s,l)}}},C=class{constructor(e){this.parts=e;this.size=e.reduce((t,r)=>t+r.size,0)}parts;size;scratch=new Float64Array(0);derivatives(e,t,r){let o=0;for(let a of this.parts){let s=a.size;this.scratch.length<3*t*s&&(this.scratch=new Float64Array(3*t*s)),a.derivatives(e,t,this.scratch);for(let i=0;i<3*t;i++)for(let l=0;l<s;l++)r[i*this.size+o+l]=this.scratch[i*s+l];o+=s}}};function H(n,e,t,r,o,a){e[r*o+a]=n[0],e[(t+r)*o+a]=n[1],e[(2*t+r)*o+a]=2*n[2]}var fe=0,he=1;function Ve(n){let e=sr(n),t=ut*(n-e),r=Math.sin(t),o=Math.cos(t),a=(e%4+4)%4;fe=(a===0?r:a===1?o:a===2?-r:-o)+0,he=(a===0?o:a===1?-r:a===2?-o:r)+0}function sr(n){let e=Math.floor(n);return n-e!==.5?Math.round(n):e%2===0?e:e+1}var se=g(),ie=g(),le=g(),ce=g(),dt=g(),pt=g(),mt=g(),ft=g(),ht=g(),bt=g(),be=g(),yt=g(),gt=g(),Ce=g(),$e=g(),F=g(),ye=g(),De=class{constructor(e,t){this.alpha=e;this.zeta=t}alpha;zeta;size=6;derivatives(e,t,r){for(let o=0;o<t;o++){let a=e[o];Ve(a),vt(fe,he,se),vt(he,-fe,ie),R(-1,se,0,se,0,le),R(-1,ie,0,ie,0,ce),le[0]=2*Math.sin(.25*Math.PI*(1-a))**2,ce[0]=2*Math.sin(.25*Math.PI*a)**2;let s=a<.5;wt(se,le,this.alpha,s,dt,pt),wt(ie,ce,this.zeta,!s,bt,ht),A(A(le,le,F),ce,F),A(F,R(8,se,3,ie,9,ye),mt),A(A(ce,ce,F),le,F),A(F,R(8,ie,3,se,9,ye),ft),H(dt,r,t,o,6,0),H(pt,r,t,o,6,1),H(mt,r,t,o,6,2),H(ft,r,t,o,6,3),H(ht,r,t,o,6,4),H(bt,r,t,o,6,5)}}},ee=class{constructor(e){this.degree=e;this.size=e+1}degree;size;derivatives(e,t,r){let o=g(),a=g(),s=xt(this.degree);o[1]=1,a[1]=-1;for(let i=0;i<t;i++)o[0]=e[i],a[0]=1-e[i],s(o,a,r,t,i)}},ze=class{constructor(e){this.degree=e;this.size=e+1}degree;size;derivatives(e,t,r){let o=.25*Math.PI,a=g(),s=g(),i=xt(this.degree);for(let l=0;l<t;l++){let u=e[l];a[0]=u===1?1:Math.tan(o*u),a[1]=o*(a[0]*a[0]+1),a[2]=o/2*(2*a[0]*a[1]),R(-1,a,0,a,0,s),s[0]=Math.tan(o*(1-u))*(1+a[0]),i(a,s,r,t,l)}}};function ge(n,e,t,r){return n==="trigonometric"?new De(t,r):new ee(e-1)}function te(n,e){let t=1;for(let r=1;r<=e;r++)t=t*(n-e+r)/r;return t}function wt(n,e,t,r,o,a){A(e,e,be),A(be,e,yt),A(be,be,gt),He(n,e,4+t,4,r,Ce),A(ct(n,$e),be,$e),A(n,yt,a);let s=a[0]*Ce[0];A(e,He(n,e,4+t,4-4*t,r,F),F),A($e,F,F),R(-1,F,0,F,0,F);let i=gt[0]*He(n,e,1,1-t,r,ye)[0];Pe(F,i,o),A(R(1,e,-3,n,0,F),Ce,F),A(n,e,ye),R(1,F,-t,ye,0,F),Pe(A($e,F,F),s,a)}function He(n,e,t,r,o,a){let s=r-t;return R(s,n,0,n,0,a),a[0]=o?t+s*n[0]:r-s*e[0],a}function vt(n,e,t){let r=.5*Math.PI;t[0]=n,t[1]=r*e,t[2]=r*r*-n/2}function xt(n){let e=me(n+1),t=me(n+1),r=g(),o=e.map((a,s)=>te(n,s));return(a,s,i,l,u)=>{pe(a,n,e),pe(s,n,t);for(let c=0;c<=n;c++)A(e[c],t[n-c],r),R(o[c],r,0,r,0,r),H(r,i,l,u,n+1,c)}}function D(n){let e=n.length,t=n[0].length,r=n[0][0].length,o=new Float64Array(e*t*r);return n.forEach((a,s)=>a.forEach((i,l)=>o.set(i,(s*t+l)*r))),{values:o,n:e,m:t,dimension:r}}function we(n,e,t){let r=D(n),o=ge(t.basis,r.n,e[0],e[1]),a=ge(t.basis,r.m,e[2],e[3]);return{rows:new z(r,o),blend:a,flip:t.flip,net:r}}function Ft(n,e,t,r){let o=n.map(a=>a.map(s=>ir(s,e))).reverse();return we([...n,...o],t,r)}function At(n,e,t,r){let o=n.map(a=>e.map(s=>a.map((i,l)=>i+s[l])));return we(o,t,r)}function kt(n,e,t,r,o){let a=n.map(([s,i])=>e.map(([l,u])=>[r*s*l,r*s*u,i]));return we(a,t,o)}function St(n,e,t,r){let o=[0,0,0],a=D([...n.map(l=>[l,o]),...e.map(l=>[o,l])]),s=new C([ge(r.basis,n.length,t[0],t[1]),ge(r.basis,e.length,t[2],t[3])]),i=n.length===e.length?D(n.map((l,u)=>[l,e[u]])):null;return{rows:new z(a,s),blend:new ee(1),flip:r.flip,net:i}}function ir(n,e){let[t,r,o,a]=e,s=(n[0]*t+n[1]*r+n[2]*o+a)/(t*t+r*r+o*o);return[n[0]-2*s*t,n[1]-2*s*r,n[2]-2*s*o]}var $t=[1,1,10/9,4/3,12/7,148/63,24/7,16/3,80/9,16,32];function zt(n,e,t){let r=n[2].map((o,a)=>.5*(o+n[3][a]));return[...qt(n,e),r,...qt([...n].reverse(),t).reverse()]}function Tt(n){let e=n.length-1,t=n[0].length,r=Array.from({length:2*e-1},()=>new Float64Array(t*t));for(let o=0;o<e;o++)for(let a=0;a<e;a++){let s=te(e-1,o)*te(e-1,a)/te(2*e-2,o+a),i=n[o],l=n[a+1],u=r[o+a];for(let c=0;c<t;c++)for(let p=0;p<t;p++)u[c*t+p]+=s*(i[c]*l[p])}return r}function Mt(n,e,t){let r=n;return e&&(r=_t(r.slice(1))),t&&(r=_t(r.slice(0,-1).reverse()).reverse()),r}function qt(n,e){let[t,r,o,a]=n;return[[...t],t.map((s,i)=>s+(4+e)/5*(r[i]-s)),t.map((s,i)=>s+(12+e)/25*(r[i]-s)+12/25*(o[i]-s)),r.map((s,i)=>s+.8*(o[i]-s)),o.map((s,i)=>s+(4*(r[i]-s)+17*(a[i]-s))/90)]}function _t(n){let e=n.length;return n.map((t,r)=>t.map(o=>o*(te(e,r+1)/te(e-1,r))))}function It(n,e,t,r){let o=t[0],a=t[1],s=zt(n,o,a).map((m,d)=>m.map(y=>y*$t[d])),i=Mt(Tt(s),o===-4,a===-4),l=i.length,u=new Float64Array(l*2*4),c=0,p=0;if(e.forEach((m,d)=>i.forEach((y,x)=>{let _=lr(y,m);u.set(_,(2*x+d)*4),c=Math.max(c,..._.map(Math.abs)),p=Math.max(p,Math.abs(_[3]))})),!(p>1e-12*c))throw new Error("planes: the control planes envelop no strip that the bounding planes cut (they are equal, parallel, or all contain one line that a bounding plane contains too); change the planes or the bounds");let f=new z({values:u,n:l,m:2,dimension:4},new ze(l-1));return{rows:new Se(f),blend:new ee(1),flip:r,net:null}}function lr(n,e){let t=(o,a)=>n[4*o+a]-n[4*a+o],r=(o,a,s)=>t(o,a)*e[s]-t(o,s)*e[a]+t(a,s)*e[o];return[r(1,2,3),-r(0,2,3),r(0,1,3),-r(0,1,2)]}var ve=class{constructor(e,t){this.degree=t;this.size=e.length-t-1;let r=e[t],o=e[this.size];if(!(o>r))throw new Error(`knots: expected them to rise from ${r} over the domain, found them to end at ${o}`);this.knots=e.map(a=>a===o?1:(a-r)/(o-r))}degree;size;knots;derivatives(e,t,r){let{knots:o,degree:a,size:s}=this,i=Array.from({length:a+1},()=>new Float64Array(o.length-1));for(let l=0;l<t;l++){let u=a;for(;u<s-1&&o[u+1]<=e[l];)u++;i[0].fill(0),i[0][u]=1;for(let c=1;c<=a;c++){let p=i[c-1],f=m=>(e[l]-o[m])*Nt(o[m+c]-o[m])*p[m];for(let m=0;m<o.length-1-c;m++)i[c][m]=f(m)+p[m+1]-f(m+1)}for(let c=0;c<3;c++){let p=c<=a?i[a-c]:new Float64Array(o.length-1);for(let f=a-c+1;c<=a&&f<=a;f++){let m=p,d=y=>f*Nt(o[y+f]-o[y])*m[y];p=Float64Array.from({length:o.length-1-f},(y,x)=>d(x)-d(x+1))}for(let f=0;f<s;f++)r[(c*t+l)*s+f]=p[f]}}}},Nt=n=>n>0?1/n:0;function jt(n,e,t,r,o){let a=D(n),s=new ve(r[0],t[0]),i=new ve(r[1],t[1]);if(s.size!==a.n||i.size!==a.m)throw new Error(`knots: expected ${a.n+t[0]+1} and ${a.m+t[1]+1}, found ${r[0].length} and ${r[1].length}`);let l=e?.[0]?.[0];if(!e||e.every(c=>c.every(p=>p===l)))return{rows:new z(a,s),blend:i,flip:o,net:a};let u=n.map((c,p)=>c.map((f,m)=>[...f.map(d=>d*e[p][m]),e[p][m]]));return{rows:new z(D(u),s),blend:i,flip:o,net:a}}var Rt=new O(0,1,0),Ot=(n,e)=>Le(n,n,n,e);function Le(n,e,t,r){return xe(new Z(-1,1),[[n,e,0],[0,0,t]],!r)}function Et(n,e,t){return xe(new O(0,1,1),[[n,n,0],[0,0,e]],!t)}function Jt(n,e,t){return xe(new O(0,1,1),[[n,n,0],[-n,-n,e]],!t)}function Pt(n,e,t){return xe(new C([new Z(0,4),Rt]),[[e,e,0],[0,0,e],[n,n,0]],!t)}function Vt(n,e,t){let r=.5*e/n,o=new C([new _e(-r,r),new O(-r,r,1)]);return xe(o,[[n,n,0],[0,0,0],[0,0,0],[0,0,n]],!t)}function Ct(n,e,t){let r=D([[[0,0,0],[0,0,0],[0,0,0],[0,0,e/(2*Math.PI)]],[[1,0,0],[0,1,0],[0,0,0],[0,0,0]]]),o=new C([new Z(0,4),new O(0,2*Math.PI,1)]);return{rows:new z(r,new O(-n,n,1)),blend:o,flip:t,net:null}}var Ht=(n,e)=>Ke(n,[[1,0,1,0,0],[0,1,0,1,0],[1,1,0,0,1]],e),Dt=(n,e)=>Ke(n,[[1,0,1,0,0],[0,1,0,1,0],[3,0,0,0,1],[1,2,0,0,-3]],e);function Lt(n,e){let t=.3333333333333333,r=[[1,0,1,0,0],[3,0,-t,0,0],[1,2,1,0,0],[0,1,0,1,0],[0,3,0,-t,0],[2,1,0,1,0],[2,0,0,0,1],[0,2,0,0,-1]];return Ke(n,r,e)}function xe(n,e,t){let r=D(e.map(([o,a,s])=>[[o,0,0],[0,a,0],[0,0,s]]));return{rows:new z(r,n),blend:new C([new Z(0,4),Rt]),flip:t,net:null}}function Ke(n,e,t){let r=Math.max(...e.map(s=>s[0]))+1,o=Math.max(...e.map(s=>s[1]))+1,a={values:new Float64Array(r*o*3),n:r,m:o,dimension:3};for(let[s,i,...l]of e)a.values.set(l,(s*o+i)*3);return{rows:new z(a,new O(-n,n,r-1)),blend:new O(-n,n,o-1),flip:t,net:null}}var Qe=J.kinds,Kt=J.units,Qt=J.shapeRange,ur=1e50,M=class extends Error{};function dr(n){if(!Ut(n))throw new M(`model: expected keys and values, got ${I(n)}`);let{schema:e=J.schema,name:t="",unit:r="",patch:o,...a}=n;if(e!==J.schema)throw new M(`schema: expected ${J.schema}, got ${I(e)}; this quintrig reads version 1`);if(r!==""&&!Kt.includes(r))throw new M(`unit: expected one of ${Kt.join(", ")}, got ${I(r)}; leave it out for plain numbers`);if(typeof t!="string"||t.length>200)throw new M(`name: expected a short text, got ${I(t)}`);if(o===void 0){let l=Gt({...a,name:t||String(a.kind??"surface")});return{name:t||l.name,unit:r,patches:[l]}}if(!Array.isArray(o)||!o.length)throw new M(`patch: expected one or more [[patch]] tables, got ${I(o)}`);let s=Object.keys(a)[0];if(s)throw new M(`unknown key '${s}' beside [[patch]] tables; move it into a patch`);let i=o.map((l,u)=>{if(!Ut(l))throw new M(`patch ${u+1}: expected a table of keys, got ${I(l)}`);return Gt({...l,name:l.name??`patch ${u+1}`})});return{name:t||i[0].name,unit:r,patches:i}}function pr(n){let e={schema:J.schema,name:n.name};if(n.unit&&(e.unit=n.unit),n.patches.length===1){let{name:t,...r}=n.patches[0];return{...e,...r}}return{...e,patch:n.patches}}function Bt(n){let e=i=>n[i]??Qe[n.kind].fields[i].default,t=e("flip"),r=i=>e(i),o=i=>e(i),a=()=>({basis:e("basis"),flip:t}),s=()=>e("shape");try{switch(n.kind){case"tensor":return we(e("points"),s(),a());case"symmetric":return Ft(e("points"),e("mirror"),s(),a());case"swept":return At(o("section"),o("trajectory"),s(),a());case"swung":return kt(o("profile"),o("trajectory"),s(),r("scale"),a());case"ruled":return St(o("first"),o("second"),s(),a());case"developable":return It(o("planes"),o("bounds"),s(),t);case"nurbs":return jt(e("points"),e("weights"),e("degrees"),e("knots"),t);case"sphere":return Ot(r("radius"),t);case"ellipsoid":return Le(r("a"),r("b"),r("c"),t);case"cylinder":return Et(r("radius"),r("height"),t);case"cone":return Jt(r("radius"),r("height"),t);case"torus":return Pt(r("major"),r("minor"),t);case"catenoid":return Vt(r("waist"),r("height"),t);case"helicoid":return Ct(r("radius"),r("pitch"),t);case"hyperbolic_paraboloid":return Ht(r("size"),t);case"monkey_saddle":return Dt(r("size"),t);case"enneper":return Lt(r("size"),t)}}catch(i){throw new M(`patch "${n.name}": ${i.message}`)}throw new M(`patch "${n.name}": kind: a ${n.kind} cannot be drawn in the browser`)}function Gt(n){let e=`patch "${String(n.name)}"`,t=Qe[String(n.kind)];if(!t)throw new M(`${e}: kind: expected one of ${Object.keys(Qe).join(", ")}, got ${I(n.kind)}`);let r=s=>{throw new M(`${e}: ${s}`)};for(let s of Object.keys(n))s!=="kind"&&s!=="name"&&!t.fields[s]&&r(`unknown key '${s}'`);let o=n.basis==="bernstein";for(let[s,i]of Object.entries(t.fields)){let l=n[s];if(l===void 0){i.required&&r(`missing key '${s}': expected ${i.description}`);continue}i.type==="number"||i.type==="positive"?Yt(l,s,r,i.type==="positive"):i.type==="boolean"&&typeof l!="boolean"?r(`${s}: expected true or false, got ${I(l)}`):i.type==="choice"&&!i.choices.includes(l)?r(`${s}: expected one of ${i.choices.join(", ")}, got ${I(l)}`):i.type==="plane"?Ge(l,s,4,r):i.type==="shape"?mr(l,s,i.default.length,n.unchecked_shape===!0,r):i.type==="points"&&Wt(l,s,o?i.counts.map(()=>0):i.counts,i.dimension,r)}let a=n;return Bt(a),a}function mr(n,e,t,r,o){let a=t===2?["alpha","zeta"]:["alpha1","zeta1","alpha2","zeta2"];Ge(n,e,t,o).forEach((s,i)=>{!r&&!(s>=Qt[0]&&s<=Qt[1])&&o(`shape[${i}] (${a[i]}) = ${s} is outside [-4, 1], where the basis is non-negative; choose a value in the range, or set unchecked_shape = true and lose the convex-hull property`)})}function Wt(n,e,t,r,o){if(!t.length)return void Ge(n,e,r,o);if(!Array.isArray(n))return o(`${e}: expected a list, got ${I(n)}`);let a=t[0],s=t.length===2;(a?n.length!==a:n.length<2||n.length>64)&&o(`${e}: expected ${a||"2 to 64"} ${s?"rows":"points"}, got ${n.length}`),n.forEach((i,l)=>Wt(i,`${e}[${l}]`,t.slice(1),r,o)),s&&n.some(i=>i.length!==n[0].length)&&o(`${e}: expected rows of equal length`)}function Ge(n,e,t,r){return Array.isArray(n)?(n.length!==t&&r(`${e}: expected ${t} numbers, got ${n.length}`),n.forEach((o,a)=>Yt(o,`${e}[${a}]`,r,!1)),n):r(`${e}: expected a list, got ${I(n)}`)}function Yt(n,e,t,r){typeof n!="number"&&t(`${e}: expected a number, got ${I(n)}`),Number.isFinite(n)||t(`${e}: expected a finite number, got ${String(n)}`),Math.abs(n)>ur&&t(`${e}: expected a number of size at most 1e50, got ${String(n)}`),r&&!(n>0)&&t(`${e}: expected a number greater than 0, got ${String(n)}`)}var Ut=n=>typeof n=="object"&&n!==null&&!Array.isArray(n);function I(n){let e=n===void 0?"nothing":JSON.stringify(n)??String(n);return e.length<=60?e:`${e.slice(0,57)}...`}export{ke as QUANTITIES,de as QUANTITY,ar as analyse,Bt as build,dr as fromDict,pr as toDict};
+/* quintrig studio; sources sha256 04a2c059d645f3a01a2e8ed91123b2b2e2c6dd4a7d385fc703f84f0e9d57c1d8; contains three.js (MIT, three.js authors) */
+var ut={version:"0.1.0",schema:1,units:["um","mm","cm","m","km","in","ft"],shapeRange:[-4,1],shapeSets:{"4":[[1,1,1,1],[1,1,-3,-3],[1,-3,1,-3],[1,0,-2,-3]],"2":[[1,1],[0,-4],[-2,0],[-2,-4]]},quantities:[{key:"point",symbol:"S",latex:"\\mathbf{S}",name:"point",meaning:"position",source:"thesis eq. 3.1",power:1,parity:"even",colour:"vector",partner:"",components:3,classes:[]},{key:"normal",symbol:"n",latex:"\\mathbf{n}",name:"unit normal",meaning:"S_u × S_v, normalised",source:"do Carmo 1976, §2.5-3.3",power:0,parity:"odd",colour:"vector",partner:"",components:3,classes:[]},{key:"E",symbol:"E",latex:"E",name:"first form E",meaning:"S_u · S_u",source:"do Carmo 1976, §2.5-3.3",power:2,parity:"even",colour:"sequential",partner:"",components:1,classes:[]},{key:"F",symbol:"F",latex:"F",name:"first form F",meaning:"S_u · S_v",source:"do Carmo 1976, §2.5-3.3",power:2,parity:"even",colour:"diverging",partner:"",components:1,classes:[]},{key:"G",symbol:"G",latex:"G",name:"first form G",meaning:"S_v · S_v",source:"do Carmo 1976, §2.5-3.3",power:2,parity:"even",colour:"sequential",partner:"",components:1,classes:[]},{key:"L",symbol:"L",latex:"L",name:"second form L",meaning:"S_uu · n",source:"do Carmo 1976, §2.5-3.3",power:1,parity:"odd",colour:"diverging",partner:"",components:1,classes:[]},{key:"M",symbol:"M",latex:"M",name:"second form M",meaning:"S_uv · n",source:"do Carmo 1976, §2.5-3.3",power:1,parity:"odd",colour:"diverging",partner:"",components:1,classes:[]},{key:"N",symbol:"N",latex:"N",name:"second form N",meaning:"S_vv · n",source:"do Carmo 1976, §2.5-3.3",power:1,parity:"odd",colour:"diverging",partner:"",components:1,classes:[]},{key:"gaussian",symbol:"K",latex:"K",name:"Gaussian curvature",meaning:"dome or bowl (+), developable (0), saddle (-)",source:"do Carmo 1976, §2.5-3.3",power:-2,parity:"even",colour:"diverging",partner:"",components:1,classes:[]},{key:"mean",symbol:"H",latex:"H",name:"mean curvature",meaning:"bends towards the normal (+) or away from it (-)",source:"do Carmo 1976, §2.5-3.3",power:-1,parity:"odd",colour:"diverging",partner:"",components:1,classes:[]},{key:"k1",symbol:"κ1",latex:"\\kappa_1",name:"larger principal curvature",meaning:"H + R",source:"do Carmo 1976, §2.5-3.3",power:-1,parity:"swap",colour:"diverging",partner:"k2",components:1,classes:[]},{key:"k2",symbol:"κ2",latex:"\\kappa_2",name:"smaller principal curvature",meaning:"H - R",source:"do Carmo 1976, §2.5-3.3",power:-1,parity:"swap",colour:"diverging",partner:"k1",components:1,classes:[]},{key:"direction1",symbol:"d1",latex:"\\mathbf{d}_1",name:"direction of κ1",meaning:"unit tangent, NaN at umbilics",source:"do Carmo 1976, §2.5-3.3",power:0,parity:"swap",colour:"vector",partner:"direction2",components:3,classes:[]},{key:"direction2",symbol:"d2",latex:"\\mathbf{d}_2",name:"direction of κ2",meaning:"unit tangent, NaN at umbilics",source:"do Carmo 1976, §2.5-3.3",power:0,parity:"swap",colour:"vector",partner:"direction1",components:3,classes:[]},{key:"shape_index",symbol:"S",latex:"S",name:"shape index",meaning:"cup -1, rut -1/2, saddle 0, ridge +1/2, cap +1 (n towards the viewer)",source:"Koenderink and van Doorn 1992",power:0,parity:"odd",colour:"diverging",partner:"",components:1,classes:[]},{key:"curvedness",symbol:"C",latex:"C",name:"curvedness",meaning:"how strongly it bends, whatever the shape",source:"Koenderink and van Doorn 1992",power:-1,parity:"even",colour:"sequential",partner:"",components:1,classes:[]},{key:"beta0",symbol:"β0",latex:"\\beta_0",name:"squared slope",meaning:"square of the slope, in the metric of the horizontal plane (the definition for a height field)",source:"Fujita and Ohsaki 2009; Iri et al. 2001",power:0,parity:"even",colour:"sequential",partner:"",components:1,classes:[]},{key:"beta1",symbol:"β1",latex:"\\beta_1",name:"Laplacian of the height",meaning:"bowl-like (+) or roof-like (-), in the metric of the horizontal plane (the definition for a height field)",source:"Fujita and Ohsaki 2009; Iri et al. 2001",power:-1,parity:"even",colour:"diverging",partner:"",components:1,classes:[]},{key:"beta2",symbol:"β2",latex:"\\beta_2",name:"Hessian determinant",meaning:"dome or bowl (+), developable (0), saddle (-), in the metric of the horizontal plane (the definition for a height field)",source:"Fujita and Ohsaki 2009; Iri et al. 2001",power:-2,parity:"even",colour:"diverging",partner:"",components:1,classes:[]},{key:"gamma1",symbol:"γ1",latex:"\\gamma_1",name:"bending along steepest descent",meaning:"convex (+) or concave (-) downhill, in the metric of the horizontal plane (the definition for a height field)",source:"Fujita and Ohsaki 2009; Iri et al. 2001",power:-1,parity:"even",colour:"diverging",partner:"",components:1,classes:[]},{key:"gamma2",symbol:"γ2",latex:"\\gamma_2",name:"twist of steepest descent",meaning:"0 on crest and trough lines, in the metric of the horizontal plane (the definition for a height field)",source:"Fujita and Ohsaki 2009; Iri et al. 2001",power:-1,parity:"even",colour:"diverging",partner:"",components:1,classes:[]},{key:"gamma3",symbol:"γ3",latex:"\\gamma_3",name:"bending along the contour",meaning:"hollow (+) or spur (-): rises or falls to both sides along the contour, in the metric of the horizontal plane (the definition for a height field)",source:"Fujita and Ohsaki 2009; Iri et al. 2001",power:-1,parity:"even",colour:"diverging",partner:"",components:1,classes:[]},{key:"beta0_surface",symbol:"β0ˢ",latex:"\\beta_0^{S}",name:"squared slope",meaning:"square of the slope, in the metric of the surface",source:"Fujita and Ohsaki 2009; Iri et al. 2001",power:0,parity:"even",colour:"sequential",partner:"",components:1,classes:[]},{key:"beta1_surface",symbol:"β1ˢ",latex:"\\beta_1^{S}",name:"Laplacian of the height",meaning:"bowl-like (+) or roof-like (-), in the metric of the surface",source:"Fujita and Ohsaki 2009; Iri et al. 2001",power:-1,parity:"even",colour:"diverging",partner:"",components:1,classes:[]},{key:"beta2_surface",symbol:"β2ˢ",latex:"\\beta_2^{S}",name:"Hessian determinant",meaning:"dome or bowl (+), developable (0), saddle (-), in the metric of the surface",source:"Fujita and Ohsaki 2009; Iri et al. 2001",power:-2,parity:"even",colour:"diverging",partner:"",components:1,classes:[]},{key:"gamma1_surface",symbol:"γ1ˢ",latex:"\\gamma_1^{S}",name:"bending along steepest descent",meaning:"convex (+) or concave (-) downhill, in the metric of the surface",source:"Fujita and Ohsaki 2009; Iri et al. 2001",power:-1,parity:"even",colour:"diverging",partner:"",components:1,classes:[]},{key:"gamma2_surface",symbol:"γ2ˢ",latex:"\\gamma_2^{S}",name:"twist of steepest descent",meaning:"0 on crest and trough lines, in the metric of the surface",source:"Fujita and Ohsaki 2009; Iri et al. 2001",power:-1,parity:"even",colour:"diverging",partner:"",components:1,classes:[]},{key:"gamma3_surface",symbol:"γ3ˢ",latex:"\\gamma_3^{S}",name:"bending along the contour",meaning:"hollow (+) or spur (-): rises or falls to both sides along the contour, in the metric of the surface",source:"Fujita and Ohsaki 2009; Iri et al. 2001",power:-1,parity:"even",colour:"diverging",partner:"",components:1,classes:[]},{key:"point_type",symbol:"point type",latex:"\\mathrm{type}",name:"point type",meaning:"signs of κ1 and κ2",source:"thesis table 3.1",power:0,parity:"even",colour:"classes",partner:"",components:1,classes:["undefined","elliptic","hyperbolic","parabolic","planar","umbilic"]},{key:"hk_type",symbol:"HK type",latex:"HK",name:"HK type",meaning:"signs of K and H, n towards the viewer",source:"Besl and Jain 1986; thesis table 3.2",power:0,parity:"mirror",colour:"classes",partner:"",components:1,classes:["undefined","peak","ridge","saddle ridge","impossible","flat","minimal","pit","valley","saddle valley"]},{key:"shape_class",symbol:"shape class",latex:"S\\,\\mathrm{class}",name:"shape class",meaning:"nine ranges of the shape index",source:"Koenderink and van Doorn 1992; thesis table 3.3",power:0,parity:"mirror",colour:"classes",partner:"",components:1,classes:["undefined","spherical cup","trough","rut","saddle rut","saddle","saddle ridge","ridge","dome","spherical cap","planar"]},{key:"invariant_type",symbol:"invariant type",latex:"\\beta\\,\\mathrm{type}",name:"invariant type",meaning:"signs of β1 and β2, seen from above",source:"Fujita and Ohsaki 2009; thesis table 3.4",power:0,parity:"even",colour:"classes",partner:"",components:1,classes:["undefined","dome","roof","saddle roof","impossible","level or tilted plane","balanced saddle","bowl","trough","saddle trough"]}],kinds:{tensor:{title:"Tensor-product surface",construction:!0,fields:{flip:{description:"Turn the normal to the other side",required:!1,default:!1,type:"boolean"},shape:{description:"Shape parameters (α1, ζ1, α2, ζ2), each in [-4, 1]; first pair in u",required:!1,default:[0,0,0,0],type:"shape"},basis:{description:"'bernstein' gives the classical surface on the same points",required:!1,default:"trigonometric",type:"choice",choices:["trigonometric","bernstein"]},unchecked_shape:{description:"Allow shape parameters outside [-4, 1]; the convex-hull property is then lost",required:!1,default:!1,type:"boolean"},points:{description:"6 x 6 control points [x, y, z]; points[i][j] with i along u, j along v",required:!0,type:"points",counts:[6,6],dimension:3}}},symmetric:{title:"Tensor-product surface that is its own mirror image",construction:!0,fields:{flip:{description:"Turn the normal to the other side",required:!1,default:!1,type:"boolean"},shape:{description:"Shape parameters (α1, ζ1, α2, ζ2), each in [-4, 1]; first pair in u",required:!1,default:[0,0,0,0],type:"shape"},basis:{description:"'bernstein' gives the classical surface on the same points",required:!1,default:"trigonometric",type:"choice",choices:["trigonometric","bernstein"]},unchecked_shape:{description:"Allow shape parameters outside [-4, 1]; the convex-hull property is then lost",required:!1,default:!1,type:"boolean"},points:{description:"3 x 6 control points, half of the net; the other three rows are mirrored",required:!0,type:"points",counts:[3,6],dimension:3},mirror:{description:"Mirror plane [a, b, c, d]: a x + b y + c z + d = 0",required:!0,type:"plane"}}},swept:{title:"Translational sweep of a section along a trajectory",construction:!0,fields:{flip:{description:"Turn the normal to the other side",required:!1,default:!1,type:"boolean"},shape:{description:"Shape parameters (α1, ζ1, α2, ζ2), each in [-4, 1]; first pair in u",required:!1,default:[0,0,0,0],type:"shape"},basis:{description:"'bernstein' gives the classical surface on the same points",required:!1,default:"trigonometric",type:"choice",choices:["trigonometric","bernstein"]},unchecked_shape:{description:"Allow shape parameters outside [-4, 1]; the convex-hull property is then lost",required:!1,default:!1,type:"boolean"},section:{description:"6 points [x, y, z] of the section curve, along u",required:!0,type:"points",counts:[6],dimension:3},trajectory:{description:"6 points [x, y, z] of the trajectory curve, along v",required:!0,type:"points",counts:[6],dimension:3}}},swung:{title:"Profile swung along a plane trajectory",construction:!0,fields:{flip:{description:"Turn the normal to the other side",required:!1,default:!1,type:"boolean"},shape:{description:"Shape parameters (α1, ζ1, α2, ζ2), each in [-4, 1]; first pair in u",required:!1,default:[0,0,0,0],type:"shape"},basis:{description:"'bernstein' gives the classical surface on the same points",required:!1,default:"trigonometric",type:"choice",choices:["trigonometric","bernstein"]},unchecked_shape:{description:"Allow shape parameters outside [-4, 1]; the convex-hull property is then lost",required:!1,default:!1,type:"boolean"},profile:{description:"6 pairs [r, z] of the profile curve, along u",required:!0,type:"points",counts:[6],dimension:2},trajectory:{description:"6 pairs [x, y] of the trajectory curve, along v",required:!0,type:"points",counts:[6],dimension:2},scale:{description:"Scale factor λ of the trajectory",required:!1,default:1,type:"number"}}},ruled:{title:"Straight lines between two curves",construction:!0,fields:{flip:{description:"Turn the normal to the other side",required:!1,default:!1,type:"boolean"},shape:{description:"Shape parameters (α1, ζ1, α2, ζ2), each in [-4, 1]; first pair in u",required:!1,default:[0,0,0,0],type:"shape"},basis:{description:"'bernstein' gives the classical surface on the same points",required:!1,default:"trigonometric",type:"choice",choices:["trigonometric","bernstein"]},unchecked_shape:{description:"Allow shape parameters outside [-4, 1]; the convex-hull property is then lost",required:!1,default:!1,type:"boolean"},first:{description:"6 points [x, y, z] of the curve at v = 0, with (α1, ζ1)",required:!0,type:"points",counts:[6],dimension:3},second:{description:"6 points [x, y, z] of the curve at v = 1, with (α2, ζ2)",required:!0,type:"points",counts:[6],dimension:3}}},developable:{title:"Strip enveloped by a family of planes",construction:!0,fields:{flip:{description:"Turn the normal to the other side",required:!1,default:!1,type:"boolean"},shape:{description:"Shape parameters (α, ζ), each in [-4, 1]",required:!1,default:[0,0],type:"shape"},planes:{description:"6 control planes [a, b, c, d]: a x + b y + c z + d = 0",required:!0,type:"points",counts:[6],dimension:4},bounds:{description:"2 planes [a, b, c, d] that cut the rulings at v = 0 and v = 1",required:!0,type:"points",counts:[2],dimension:4},unchecked_shape:{description:"Allow shape parameters outside [-4, 1]",required:!1,default:!1,type:"boolean"}}},nurbs:{title:"NURBS surface, such as a face read from a CAD file",construction:!1,fields:{flip:{description:"Turn the normal to the other side",required:!1,default:!1,type:"boolean"},degrees:{description:"Degrees (p, q) in u and v",required:!0,type:"raw"},knots:{description:"Full knot vectors in u and v: control points + degree + 1 numbers each; u, v in [0, 1] span them",required:!0,type:"raw"},points:{description:"Control points [x, y, z]; points[i][j] with i along u, j along v",required:!0,type:"raw"},weights:{description:"Weights of the control points, all 1 when left out",required:!1,default:null,type:"raw"},trim:{description:"Closed loops of [u, v] that bound the face on its surface",required:!1,default:[],type:"raw"}}},sphere:{title:"Sphere",construction:!1,fields:{flip:{description:"Turn the normal to the other side",required:!1,default:!1,type:"boolean"},radius:{description:"Radius",required:!1,default:1,type:"positive"}}},ellipsoid:{title:"Ellipsoid x²/a² + y²/b² + z²/c² = 1",construction:!1,fields:{flip:{description:"Turn the normal to the other side",required:!1,default:!1,type:"boolean"},a:{description:"Half axis along x",required:!1,default:3,type:"positive"},b:{description:"Half axis along y",required:!1,default:2,type:"positive"},c:{description:"Half axis along z",required:!1,default:1,type:"positive"}}},cylinder:{title:"Circular cylinder",construction:!1,fields:{flip:{description:"Turn the normal to the other side",required:!1,default:!1,type:"boolean"},radius:{description:"Radius",required:!1,default:1,type:"positive"},height:{description:"Height along z",required:!1,default:2,type:"positive"}}},cone:{title:"Cone with its apex up",construction:!1,fields:{flip:{description:"Turn the normal to the other side",required:!1,default:!1,type:"boolean"},radius:{description:"Radius of the base",required:!1,default:1,type:"positive"},height:{description:"Height along z",required:!1,default:2,type:"positive"}}},torus:{title:"Torus",construction:!1,fields:{flip:{description:"Turn the normal to the other side",required:!1,default:!1,type:"boolean"},major:{description:"Radius of the circle of centres",required:!1,default:3,type:"positive"},minor:{description:"Radius of the tube",required:!1,default:1,type:"positive"}}},catenoid:{title:"Catenoid, a minimal surface",construction:!1,fields:{flip:{description:"Turn the normal to the other side",required:!1,default:!1,type:"boolean"},waist:{description:"Radius of the waist",required:!1,default:1,type:"positive"},height:{description:"Height along z",required:!1,default:2,type:"positive"}}},helicoid:{title:"One turn of a helicoid, a minimal surface",construction:!1,fields:{flip:{description:"Turn the normal to the other side",required:!1,default:!1,type:"boolean"},radius:{description:"Half length of the rulings",required:!1,default:1,type:"positive"},pitch:{description:"Rise in one turn",required:!1,default:2,type:"number"}}},hyperbolic_paraboloid:{title:"z = x y",construction:!1,fields:{flip:{description:"Turn the normal to the other side",required:!1,default:!1,type:"boolean"},size:{description:"Half side of the square of parameters",required:!1,default:1,type:"positive"}}},monkey_saddle:{title:"z = x³ - 3 x y²",construction:!1,fields:{flip:{description:"Turn the normal to the other side",required:!1,default:!1,type:"boolean"},size:{description:"Half side of the square of parameters",required:!1,default:1,type:"positive"}}},enneper:{title:"Enneper's minimal surface",construction:!1,fields:{flip:{description:"Turn the normal to the other side",required:!1,default:!1,type:"boolean"},size:{description:"Half side of the square of parameters",required:!1,default:1,type:"positive"}}}},palette:{undefined:"#7d7d7d",front:"#9dc3e0",back:"#e8c793",series:["#0072b2","#d55e00","#009e73","#cc79a7","#e69f00","#56b4e9","#000000","#a6761d"],classes:{point_type:["#7d7d7d","#d9541e","#5fd99a","#f5a623","#f2f0ea","#7f1d0f"],hk_type:["#7d7d7d","#d9541e","#f5a623","#fbe26a","#000000","#f2f0ea","#5fd99a","#2166ac","#56a0d3","#a6d8f0"],shape_class:["#7d7d7d","#08306b","#2166ac","#56a0d3","#a6d8f0","#5fd99a","#fbe26a","#f5a623","#d9541e","#7f1d0f","#f2f0ea"],invariant_type:["#7d7d7d","#d9541e","#f5a623","#fbe26a","#000000","#f2f0ea","#5fd99a","#2166ac","#56a0d3","#a6d8f0"]},diverging:["#12406f","#194e80","#215c91","#286aa2","#2f78b3","#4387bc","#5796c5","#6ca5cd","#80b4d6","#92bfdc","#a5cae1","#b7d5e7","#cadfec","#d5e5ed","#e0eaee","#ebefee","#f6f3ee","#f7ebe2","#f7e3d6","#f8dbca","#f8d2be","#f4c4ac","#f1b59a","#eda789","#e99878","#e18369","#d96f5b","#d05a4c","#c7473e","#b53938","#a32b32","#921e2b","#821226"],sequential:["#f3f1d8","#ebeed0","#e3eac8","#dbe7c0","#d3e3b8","#cbe0b0","#c0dcac","#b4d6a9","#a7d1a5","#9acca2","#8ec79f","#82c29d","#76bb9c","#6bb59c","#60ae9b","#55a89b","#4aa29a","#459b98","#409497","#3a8d95","#358694","#307f92","#2f7890","#2e708d","#2d698b","#2d6288","#2c5b85","#2c5481","#2d4c7b","#2d4575","#2d3d6f","#2e3668","#2e2f63"]},presets:[{schema:1,name:"Car boot lid",unit:"mm",kind:"swept",shape:[1,1,0,0],section:[[0,0,30],[240,0,-14],[590,0,36],[606,0,-2],[505,0,-190],[560,0,-390]],trajectory:[[-150,-700,-90],[-55,-610,-24],[0,-260,0],[0,260,0],[-55,610,-24],[-150,700,-90]]},{schema:1,name:"Classical quintic swung vase",unit:"cm",kind:"swung",flip:!0,basis:"bernstein",profile:[[1,0],[3,1],[4,3],[3,5],[2,7],[2,8]],trajectory:[[1,0],[1,.6],[.7,1],[0,1.2],[-.6,1.1],[-1,.9]],scale:1.5},{schema:1,name:"Cylinder",unit:"mm",kind:"cylinder",radius:10,height:40},{schema:1,name:"Developable vault",unit:"m",kind:"developable",shape:[1,1],planes:[[-1,.22,1,-11],[-.8,.1,1,-9],[-.35,-.04,1,-6],[.35,-.1,1,-6],[.8,-.04,1,-9],[1,.04,1,-11]],bounds:[[0,1,0,0],[0,1,0,-10]]},{schema:1,name:"Saddle roof from a CSV net",unit:"m",kind:"tensor",points:[[[0,0,3],[0,2,4.92],[0,4,5.88],[0,6,5.88],[0,8,4.92],[0,10,3]],[[2,0,1.08],[2,2,3],[2,4,3.96],[2,6,3.96],[2,8,3],[2,10,1.08]],[[4,0,.12],[4,2,2.04],[4,4,3],[4,6,3],[4,8,2.04],[4,10,.12]],[[6,0,.12],[6,2,2.04],[6,4,3],[6,6,3],[6,8,2.04],[6,10,.12]],[[8,0,1.08],[8,2,3],[8,4,3.96],[8,6,3.96],[8,8,3],[8,10,1.08]],[[10,0,3],[10,2,4.92],[10,4,5.88],[10,6,5.88],[10,8,4.92],[10,10,3]]]},{schema:1,name:"Rear of a car",unit:"mm",patch:[{name:"rear window",kind:"swept",shape:[1,1,0,0],section:[[-720,0,470],[-600,0,452],[-430,0,390],[-300,0,290],[-150,0,160],[0,0,30]],trajectory:[[-150,-700,-90],[-55,-610,-24],[0,-260,0],[0,260,0],[-55,610,-24],[-150,700,-90]]},{name:"boot lid",kind:"swept",shape:[1,1,0,0],section:[[0,0,30],[240,0,-14],[590,0,36],[606,0,-2],[505,0,-190],[560,0,-390]],trajectory:[[-150,-700,-90],[-55,-610,-24],[0,-260,0],[0,260,0],[-55,610,-24],[-150,700,-90]]}]},{schema:1,name:"Ruled roof",unit:"m",kind:"ruled",shape:[1,1,1,1],first:[[0,0,0],[1,2,4],[3,3,5],[5,3,5],[7,2,4],[8,0,0]],second:[[0,10,2],[1,9,0],[3,8,-2],[5,8,3],[7,9,5],[8,10,1]]},{schema:1,name:"Sphere",unit:"mm",kind:"sphere",radius:20},{schema:1,name:"Swept canopy",unit:"m",kind:"swept",shape:[1,1,1,1],section:[[0,0,0],[2,0,1],[4,0,3],[6,0,3],[8,0,1],[10,0,0]],trajectory:[[0,0,0],[0,1,3],[0,3,5],[0,5,5],[0,7,3],[0,8,0]]},{schema:1,name:"Swung vase",unit:"cm",kind:"swung",flip:!0,shape:[1,1,1,1],profile:[[1,0],[3,1],[4,3],[3,5],[2,7],[2,8]],trajectory:[[1,0],[1,.6],[.7,1],[0,1.2],[-.6,1.1],[-1,.9]],scale:1.5},{schema:1,name:"Symmetric shell",unit:"m",kind:"symmetric",shape:[1,1,1,1],points:[[[0,0,0],[0,2,2],[0,4,3],[0,6,3],[0,8,2],[0,10,0]],[[2,0,1.5],[2,2,3],[2,4,4.5],[2,6,4.5],[2,8,3],[2,10,1.5]],[[4,0,3],[4,2,3.5],[4,4,5],[4,6,5],[4,8,3.5],[4,10,3]]],mirror:[1,0,0,-5]},{schema:1,name:"Thesis net of section 2.5.2",kind:"tensor",flip:!0,shape:[1,1,1,1],points:[[[0,0,0],[0,0,10],[4,0,10],[6,0,10],[10,0,10],[10,0,0]],[[0,2,0],[0,2,10],[4,2,10],[6,2,10],[10,2,10],[10,2,0]],[[0,4,0],[0,4,10],[4,4,10],[6,4,10],[10,4,10],[10,4,0]],[[0,6,0],[0,6,10],[4,6,10],[6,6,10],[10,6,10],[10,6,0]],[[0,8,0],[0,8,10],[4,8,10],[6,8,10],[10,8,10],[10,8,0]],[[0,10,0],[0,10,10],[4,10,10],[6,10,10],[10,10,10],[10,10,0]]]},{schema:1,name:"Wavy surface",unit:"cm",kind:"tensor",shape:[1,1,1,1],points:[[[0,0,0],[0,2,1],[0,4,2],[0,6,2],[0,8,1],[0,10,0]],[[2,0,1],[2,2,3],[2,4,5],[2,6,4],[2,8,2],[2,10,1]],[[4,0,2],[4,2,5],[4,4,8],[4,6,7],[4,8,4],[4,10,2]],[[6,0,2],[6,2,4],[6,4,7],[6,6,6],[6,8,3],[6,10,1]],[[8,0,1],[8,2,2],[8,4,4],[8,6,3],[8,8,1],[8,10,-1]],[[10,0,0],[10,2,1],[10,4,2],[10,6,1],[10,8,-1],[10,10,-3]]]}],starters:{tensor:{schema:1,name:"My tensor surface",unit:"mm",kind:"tensor",points:[[[0,0,0],[0,20,0],[0,40,0],[0,60,0],[0,80,0],[0,100,0]],[[20,0,0],[20,20,5],[20,40,15],[20,60,16],[20,80,7],[20,100,2]],[[40,0,0],[40,20,15],[40,40,40],[40,60,44],[40,80,19],[40,100,4]],[[60,0,0],[60,20,16],[60,40,44],[60,60,49],[60,80,21],[60,100,5]],[[80,0,0],[80,20,7],[80,40,19],[80,60,21],[80,80,9],[80,100,2]],[[100,0,0],[100,20,2],[100,40,4],[100,60,5],[100,80,2],[100,100,0]]],shape:[0,0,0,0]},symmetric:{schema:1,name:"My symmetric surface",unit:"mm",kind:"symmetric",points:[[[0,0,0],[0,20,8],[0,40,23],[0,60,25],[0,80,11],[0,100,2]],[[20,0,10],[20,20,18],[20,40,33],[20,60,35],[20,80,21],[20,100,12]],[[40,0,30],[40,20,38],[40,40,53],[40,60,55],[40,80,41],[40,100,32]]],mirror:[1,0,0,-50],shape:[0,0,0,0]},swept:{schema:1,name:"My swept surface",unit:"mm",kind:"swept",section:[[0,0,0],[20,0,10],[40,0,30],[60,0,30],[80,0,10],[100,0,0]],trajectory:[[0,0,0],[0,20,11],[0,40,30],[0,60,34],[0,80,14],[0,100,3]],shape:[0,0,0,0]},swung:{schema:1,name:"My swung surface",unit:"mm",kind:"swung",profile:[[20,0],[60,10],[80,40],[50,70],[30,100],[40,120]],trajectory:[[1,0],[1,.6],[.7,1],[-.7,1],[-1,.6],[-1,0]],shape:[0,0,0,0],flip:!0,scale:1},ruled:{schema:1,name:"My ruled surface",unit:"mm",kind:"ruled",first:[[0,0,0],[20,0,10],[40,0,30],[60,0,30],[80,0,10],[100,0,0]],second:[[0,100,0],[20,100,5],[40,100,13],[60,100,14],[80,100,6],[100,100,1]],shape:[0,0,0,0]},developable:{schema:1,name:"My developable surface",unit:"mm",kind:"developable",planes:[[-1,.2,1,-110],[-.8,.1,1,-90],[-.35,-.05,1,-60],[.35,-.05,1,-60],[.8,.1,1,-90],[1,.2,1,-110]],bounds:[[0,1,0,0],[0,1,0,-100]],shape:[0,0]},nurbs:{schema:1,name:"My nurbs surface",unit:"mm",kind:"nurbs",degrees:[2,2],knots:[[0,0,0,1,1,1],[0,0,0,1,1,1]],points:[[[0,0,0],[0,50,50],[0,100,0]],[[50,0,30],[50,50,80],[50,100,30]],[[100,0,0],[100,50,50],[100,100,0]]],weights:[[1,.7,1],[1,.7,1],[1,.7,1]]},sphere:{schema:1,name:"My sphere",unit:"mm",kind:"sphere",radius:20},ellipsoid:{schema:1,name:"My ellipsoid",unit:"mm",kind:"ellipsoid",a:30,b:20,c:10},cylinder:{schema:1,name:"My cylinder",unit:"mm",kind:"cylinder",radius:10,height:40},cone:{schema:1,name:"My cone",unit:"mm",kind:"cone",radius:10,height:20},torus:{schema:1,name:"My torus",unit:"mm",kind:"torus",major:30,minor:10},catenoid:{schema:1,name:"My catenoid",unit:"mm",kind:"catenoid",waist:10,height:20},helicoid:{schema:1,name:"My helicoid",unit:"mm",kind:"helicoid",radius:10,pitch:20},hyperbolic_paraboloid:{schema:1,name:"My hyperbolic paraboloid surface",unit:"mm",kind:"hyperbolic_paraboloid"},monkey_saddle:{schema:1,name:"My monkey saddle surface",unit:"mm",kind:"monkey_saddle"},enneper:{schema:1,name:"My enneper surface",unit:"mm",kind:"enneper"}}};var nt=()=>new Float64Array(3);function Mt(i,e,t){let n=i[0],s=i[1],r=i[2],a=e[0],o=e[1],l=e[2];return t[0]=n*a,t[1]=n*o+s*a,t[2]=n*l+s*o+r*a,t}function wn(i,e,t,n,s,r){return r[0]=i*e[0]+t*n[0]+s,r[1]=i*e[1]+t*n[1],r[2]=i*e[2]+t*n[2],r}function kl(i,e,t){let n=.5*i[1];return t[1]=i[0],t[2]=n,t[0]=e,t}function Oh(i,e){return e[0]=i[1],e[1]=2*i[2],e[2]=0,e}function qs(i,e,t){t[0].fill(0),t[0][0]=1;for(let n=1;n<=e;n++)Mt(t[n-1],i,t[n])}var $s=i=>Array.from({length:i},nt);var kh=.5*Math.PI,ki=class{constructor(e,t){this.start=e;this.end=t}start;end;size=2;derivatives(e,t,n){let s=this.end-this.start,r=kh*s;for(let a=0;a<t;a++){Bl(this.start+s*e[a]);let o=Ys,l=Js;n[2*a]=l,n[2*a+1]=o,n[2*(t+a)]=r*-o,n[2*(t+a)+1]=r*l,n[2*(2*t+a)]=r*r*-l,n[2*(2*t+a)+1]=r*r*-o}}},Qr=class{constructor(e,t){this.start=e;this.end=t}start;end;size=2;derivatives(e,t,n){let s=this.end-this.start;for(let r=0;r<t;r++){let a=this.start+s*e[r],o=Math.cosh(a),l=Math.sinh(a);for(let c=0,h=1;c<3;c++,h*=s)n[2*(c*t+r)]=h*(c===1?l:o),n[2*(c*t+r)+1]=h*(c===1?o:l)}}},An=class{constructor(e,t,n){this.start=e;this.end=t;this.degree=n;this.size=n+1}start;end;degree;size;derivatives(e,t,n){let s=nt(),r=$s(this.size),a=this.size;s[1]=this.end-this.start;for(let o=0;o<t;o++){s[0]=this.start+(this.end-this.start)*e[o],qs(s,this.degree,r);for(let l=0;l<a;l++)Jn(r[l],n,t,o,a,l)}}},Yn=class{constructor(e){this.parts=e;this.size=e.reduce((t,n)=>t+n.size,0)}parts;size;scratch=new Float64Array(0);derivatives(e,t,n){let s=0;for(let r of this.parts){let a=r.size;this.scratch.length<3*t*a&&(this.scratch=new Float64Array(3*t*a)),r.derivatives(e,t,this.scratch);for(let o=0;o<3*t;o++)for(let l=0;l<a;l++)n[o*this.size+s+l]=this.scratch[o*a+l];s+=a}}};function Jn(i,e,t,n,s,r){e[n*s+r]=i[0],e[(t+n)*s+r]=i[1],e[(2*t+n)*s+r]=2*i[2]}var Ys=0,Js=1;function Bl(i){let e=yp(i),t=kh*(i-e),n=Math.sin(t),s=Math.cos(t),r=(e%4+4)%4;Ys=(r===0?n:r===1?s:r===2?-n:-s)+0,Js=(r===0?s:r===1?-n:r===2?-s:n)+0}function yp(i){let e=Math.floor(i);return i-e!==.5?Math.round(i):e%2===0?e:e+1}var ss=nt(),rs=nt(),as=nt(),os=nt(),Bh=nt(),zh=nt(),Vh=nt(),Hh=nt(),Gh=nt(),Wh=nt(),Zs=nt(),Xh=nt(),qh=nt(),zl=nt(),ea=nt(),gt=nt(),Ks=nt(),Hl=class{constructor(e,t){this.alpha=e;this.zeta=t}alpha;zeta;size=6;derivatives(e,t,n){for(let s=0;s<t;s++){let r=e[s];Bl(r),Yh(Ys,Js,ss),Yh(Js,-Ys,rs),wn(-1,ss,0,ss,0,as),wn(-1,rs,0,rs,0,os),as[0]=2*Math.sin(.25*Math.PI*(1-r))**2,os[0]=2*Math.sin(.25*Math.PI*r)**2;let a=r<.5;$h(ss,as,this.alpha,a,Bh,zh),$h(rs,os,this.zeta,!a,Wh,Gh),Mt(Mt(as,as,gt),os,gt),Mt(gt,wn(8,ss,3,rs,9,Ks),Vh),Mt(Mt(os,os,gt),as,gt),Mt(gt,wn(8,rs,3,ss,9,Ks),Hh),Jn(Bh,n,t,s,6,0),Jn(zh,n,t,s,6,1),Jn(Vh,n,t,s,6,2),Jn(Hh,n,t,s,6,3),Jn(Gh,n,t,s,6,4),Jn(Wh,n,t,s,6,5)}}},Bi=class{constructor(e){this.degree=e;this.size=e+1}degree;size;derivatives(e,t,n){let s=nt(),r=nt(),a=Jh(this.degree);s[1]=1,r[1]=-1;for(let o=0;o<t;o++)s[0]=e[o],r[0]=1-e[o],a(s,r,n,t,o)}},ta=class{constructor(e){this.degree=e;this.size=e+1}degree;size;derivatives(e,t,n){let s=.25*Math.PI,r=nt(),a=nt(),o=Jh(this.degree);for(let l=0;l<t;l++){let c=e[l];r[0]=c===1?1:Math.tan(s*c),r[1]=s*(r[0]*r[0]+1),r[2]=s/2*(2*r[0]*r[1]),wn(-1,r,0,r,0,a),a[0]=Math.tan(s*(1-c))*(1+r[0]),o(r,a,n,t,l)}}};function js(i,e,t,n){return i==="trigonometric"?new Hl(t,n):new Bi(e-1)}function zi(i,e){let t=1;for(let n=1;n<=e;n++)t=t*(i-e+n)/n;return t}function $h(i,e,t,n,s,r){Mt(e,e,Zs),Mt(Zs,e,Xh),Mt(Zs,Zs,qh),Vl(i,e,4+t,4,n,zl),Mt(Oh(i,ea),Zs,ea),Mt(i,Xh,r);let a=r[0]*zl[0];Mt(e,Vl(i,e,4+t,4-4*t,n,gt),gt),Mt(ea,gt,gt),wn(-1,gt,0,gt,0,gt);let o=qh[0]*Vl(i,e,1,1-t,n,Ks)[0];kl(gt,o,s),Mt(wn(1,e,-3,i,0,gt),zl,gt),Mt(i,e,Ks),wn(1,gt,-t,Ks,0,gt),kl(Mt(ea,gt,gt),a,r)}function Vl(i,e,t,n,s,r){let a=n-t;return wn(a,i,0,i,0,r),r[0]=s?t+a*i[0]:n-a*e[0],r}function Yh(i,e,t){let n=.5*Math.PI;t[0]=i,t[1]=n*e,t[2]=n*n*-i/2}function Jh(i){let e=$s(i+1),t=$s(i+1),n=nt(),s=e.map((r,a)=>zi(i,a));return(r,a,o,l,c)=>{qs(r,i,e),qs(a,i,t);for(let h=0;h<=i;h++)Mt(e[h],t[i-h],n),wn(s[h],n,0,n,0,n),Jn(n,o,l,c,i+1,h)}}var Zt=class{constructor(e,t){this.points=e;this.functions=t;this.size=e.m,this.dimension=e.dimension}points;functions;size;dimension;scratch=new Float64Array(0);derivatives(e,t,n){let s=this.functions.size,r=this.size*this.dimension,a=this.points.values;this.scratch.length<3*t*s&&(this.scratch=new Float64Array(3*t*s));let o=this.scratch;this.functions.derivatives(e,t,o);for(let l=0;l<3*t;l++)for(let c=0;c<r;c++){let h=0;for(let f=0;f<s;f++)h+=o[l*s+f]*a[f*r+c];n[l*r+c]=h}}},na=class{constructor(e){this.homogeneous=e;this.size=e.size}homogeneous;size;dimension=3;scratch=new Float64Array(0);derivatives(e,t,n){let s=this.size,r=4*t*s;this.scratch.length<3*r&&(this.scratch=new Float64Array(3*r));let a=this.scratch;this.homogeneous.derivatives(e,t,a);for(let o=0;o<t*s;o++){let l=a[4*o+3],c=a[r+4*o+3],h=a[2*r+4*o+3]/2;for(let f=0;f<3;f++){let d=a[4*o+f]/l,u=(a[r+4*o+f]-d*c)/l,p=(a[2*r+4*o+f]/2-(d*h+u*c))/l;n[3*o+f]=d,n[3*(t*s+o)+f]=u,n[3*(2*t*s+o)+f]=2*p}}}},mi=17,Zh=Float64Array.from({length:mi},(i,e)=>e/(mi-1));function ia(i){let{rows:e,blend:t}=i,n=e.size,s=e.dimension,r=new Float64Array(3*mi*n*s),a=new Float64Array(3*mi*n);e.derivatives(Zh,mi,r),t.derivatives(Zh,mi,a);let o=[1/0,1/0,1/0],l=[-1/0,-1/0,-1/0],c=[0,0,0,1];for(let f=0;f<mi;f++)for(let d=0;d<mi;d++){for(let u=0;u<s;u++){c[u]=0;for(let p=0;p<n;p++)c[u]+=r[(f*n+p)*s+u]*a[d*n+p]}for(let u=0;u<3;u++){let p=s===4?c[u]/c[3]:c[u];o[u]=Math.min(o[u],p),l[u]=Math.max(l[u],p)}}let h=Math.sqrt(o.reduce((f,d,u)=>f+(l[u]-d)**2,0));return{low:o,high:l,size:h}}function Zn(i){let e=i.length,t=i[0].length,n=i[0][0].length,s=new Float64Array(e*t*n);return i.forEach((r,a)=>r.forEach((o,l)=>s.set(o,(a*t+l)*n))),{values:s,n:e,m:t,dimension:n}}function Qs(i,e,t){let n=Zn(i),s=js(t.basis,n.n,e[0],e[1]),r=js(t.basis,n.m,e[2],e[3]);return{rows:new Zt(n,s),blend:r,flip:t.flip,net:n}}function Kh(i,e,t,n){let s=i.map(r=>r.map(a=>sa(a,e))).reverse();return Qs([...i,...s],t,n)}function jh(i,e,t,n){let s=i.map(r=>e.map(a=>r.map((o,l)=>o+a[l])));return Qs(s,t,n)}function Qh(i,e,t,n,s){let r=i.map(([a,o])=>e.map(([l,c])=>[n*a*l,n*a*c,o]));return Qs(r,t,s)}function eu(i,e,t,n){let s=[0,0,0],r=Zn([...i.map(l=>[l,s]),...e.map(l=>[s,l])]),a=new Yn([js(n.basis,i.length,t[0],t[1]),js(n.basis,e.length,t[2],t[3])]),o=i.length===e.length?Zn(i.map((l,c)=>[l,e[c]])):null;return{rows:new Zt(r,a),blend:new Bi(1),flip:n.flip,net:o}}function sa(i,e){let[t,n,s,r]=e,a=(i[0]*t+i[1]*n+i[2]*s+r)/(t*t+n*n+s*s);return[i[0]-2*a*t,i[1]-2*a*n,i[2]-2*a*s]}var iu=[1,1,10/9,4/3,12/7,148/63,24/7,16/3,80/9,16,32];function su(i,e,t){let n=i[2].map((s,r)=>.5*(s+i[3][r]));return[...tu(i,e),n,...tu([...i].reverse(),t).reverse()]}function ru(i){let e=i.length-1,t=i[0].length,n=Array.from({length:2*e-1},()=>new Float64Array(t*t));for(let s=0;s<e;s++)for(let r=0;r<e;r++){let a=zi(e-1,s)*zi(e-1,r)/zi(2*e-2,s+r),o=i[s],l=i[r+1],c=n[s+r];for(let h=0;h<t;h++)for(let f=0;f<t;f++)c[h*t+f]+=a*(o[h]*l[f])}return n}function au(i,e,t){let n=i;return e&&(n=nu(n.slice(1))),t&&(n=nu(n.slice(0,-1).reverse()).reverse()),n}function tu(i,e){let[t,n,s,r]=i;return[[...t],t.map((a,o)=>a+(4+e)/5*(n[o]-a)),t.map((a,o)=>a+(12+e)/25*(n[o]-a)+12/25*(s[o]-a)),n.map((a,o)=>a+.8*(s[o]-a)),s.map((a,o)=>a+(4*(n[o]-a)+17*(r[o]-a))/90)]}function nu(i){let e=i.length;return i.map((t,n)=>t.map(s=>s*(zi(e,n+1)/zi(e-1,n))))}function ou(i,e,t,n){let s=t[0],r=t[1],a=su(i,s,r).map((u,p)=>u.map(v=>v*iu[p])),o=au(ru(a),s===-4,r===-4),l=o.length,c=new Float64Array(l*2*4),h=0,f=0;if(e.forEach((u,p)=>o.forEach((v,g)=>{let m=bp(v,u);c.set(m,(2*g+p)*4),h=Math.max(h,...m.map(Math.abs)),f=Math.max(f,Math.abs(m[3]))})),!(f>1e-12*h))throw new Error("planes: the control planes envelop no strip that the bounding planes cut (they are equal, parallel, or all contain one line that a bounding plane contains too); change the planes or the bounds");let d=new Zt({values:c,n:l,m:2,dimension:4},new ta(l-1));return{rows:new na(d),blend:new Bi(1),flip:n,net:null}}function lu(i,e=257){let t=Float64Array.from({length:e},(a,o)=>o/(e-1)),n=new Float64Array(3*e*6);i.rows.derivatives(t,e,n);let s=[],r=!1;for(let a=0;a<e;a++){let o=vp(n,e,a)<=0;o&&!r&&s.push({start:t[a],end:t[a]}),o&&(s[s.length-1].end=t[a]),r=o}return s}function vp(i,e,t){let n=(o,l,c)=>i[((o*e+t)*2+l)*3+c],s=[0,1,2].map(o=>n(0,1,o)-n(0,0,o)),[r,a]=[0,1].map(o=>_p([n(1,o,0),n(1,o,1),n(1,o,2)],s));return r[0]*a[0]+r[1]*a[1]+r[2]*a[2]}var _p=(i,e)=>[i[1]*e[2]-i[2]*e[1],i[2]*e[0]-i[0]*e[2],i[0]*e[1]-i[1]*e[0]];function bp(i,e){let t=(s,r)=>i[4*s+r]-i[4*r+s],n=(s,r,a)=>t(s,r)*e[a]-t(s,a)*e[r]+t(r,a)*e[s];return[n(1,2,3),-n(0,2,3),n(0,1,3),-n(0,1,2)]}var er=class{constructor(e,t){this.degree=t;this.size=e.length-t-1;let n=e[t],s=e[this.size];if(!(s>n))throw new Error(`knots: expected them to rise from ${n} over the domain, found them to end at ${s}`);this.knots=e.map(r=>r===s?1:(r-n)/(s-n))}degree;size;knots;derivatives(e,t,n){let{knots:s,degree:r,size:a}=this,o=Array.from({length:r+1},()=>new Float64Array(s.length-1));for(let l=0;l<t;l++){let c=r;for(;c<a-1&&s[c+1]<=e[l];)c++;o[0].fill(0),o[0][c]=1;for(let h=1;h<=r;h++){let f=o[h-1],d=u=>(e[l]-s[u])*cu(s[u+h]-s[u])*f[u];for(let u=0;u<s.length-1-h;u++)o[h][u]=d(u)+f[u+1]-d(u+1)}for(let h=0;h<3;h++){let f=h<=r?o[r-h]:new Float64Array(s.length-1);for(let d=r-h+1;h<=r&&d<=r;d++){let u=f,p=v=>d*cu(s[v+d]-s[v])*u[v];f=Float64Array.from({length:s.length-1-d},(v,g)=>p(g)-p(g+1))}for(let d=0;d<a;d++)n[(h*t+l)*a+d]=f[d]}}}},cu=i=>i>0?1/i:0;function hu(i,e,t,n,s){let r=Zn(i),a=new er(n[0],t[0]),o=new er(n[1],t[1]);if(a.size!==r.n||o.size!==r.m)throw new Error(`knots: expected ${r.n+t[0]+1} and ${r.m+t[1]+1}, found ${n[0].length} and ${n[1].length}`);let l=e?.[0]?.[0];if(!e||e.every(h=>h.every(f=>f===l)))return{rows:new Zt(r,a),blend:o,flip:s,net:r};let c=i.map((h,f)=>h.map((d,u)=>[...d.map(p=>p*e[f][u]),e[f][u]]));return{rows:new Zt(Zn(c),a),blend:o,flip:s,net:r}}var uu=new An(0,1,0),du=(i,e)=>Gl(i,i,i,e);function Gl(i,e,t,n){return tr(new ki(-1,1),[[i,e,0],[0,0,t]],!n)}function fu(i,e,t){return tr(new An(0,1,1),[[i,i,0],[0,0,e]],!t)}function pu(i,e,t){return tr(new An(0,1,1),[[i,i,0],[-i,-i,e]],!t)}function mu(i,e,t){return tr(new Yn([new ki(0,4),uu]),[[e,e,0],[0,0,e],[i,i,0]],!t)}function gu(i,e,t){let n=.5*e/i,s=new Yn([new Qr(-n,n),new An(-n,n,1)]);return tr(s,[[i,i,0],[0,0,0],[0,0,0],[0,0,i]],!t)}function xu(i,e,t){let n=Zn([[[0,0,0],[0,0,0],[0,0,0],[0,0,e/(2*Math.PI)]],[[1,0,0],[0,1,0],[0,0,0],[0,0,0]]]),s=new Yn([new ki(0,4),new An(0,2*Math.PI,1)]);return{rows:new Zt(n,new An(-i,i,1)),blend:s,flip:t,net:null}}var yu=(i,e)=>Wl(i,[[1,0,1,0,0],[0,1,0,1,0],[1,1,0,0,1]],e),vu=(i,e)=>Wl(i,[[1,0,1,0,0],[0,1,0,1,0],[3,0,0,0,1],[1,2,0,0,-3]],e);function _u(i,e){let t=.3333333333333333,n=[[1,0,1,0,0],[3,0,-t,0,0],[1,2,1,0,0],[0,1,0,1,0],[0,3,0,-t,0],[2,1,0,1,0],[2,0,0,0,1],[0,2,0,0,-1]];return Wl(i,n,e)}function tr(i,e,t){let n=Zn(e.map(([s,r,a])=>[[s,0,0],[0,r,0],[0,0,a]]));return{rows:new Zt(n,i),blend:new Yn([new ki(0,4),uu]),flip:t,net:null}}function Wl(i,e,t){let n=Math.max(...e.map(a=>a[0]))+1,s=Math.max(...e.map(a=>a[1]))+1,r={values:new Float64Array(n*s*3),n,m:s,dimension:3};for(let[a,o,...l]of e)r.values.set(l,(a*s+o)*3);return{rows:new Zt(r,new An(-i,i,n-1)),blend:new An(-i,i,s-1),flip:t,net:null}}var tn=ut.kinds,ra=ut.units,nr=ut.shapeRange,Mp=1e50,ft=class extends Error{};function Wt(i){if(!Su(i))throw new ft(`model: expected keys and values, got ${gn(i)}`);let{schema:e=ut.schema,name:t="",unit:n="",patch:s,...r}=i;if(e!==ut.schema)throw new ft(`schema: expected ${ut.schema}, got ${gn(e)}; this quintrig reads version 1`);if(n!==""&&!ra.includes(n))throw new ft(`unit: expected one of ${ra.join(", ")}, got ${gn(n)}; leave it out for plain numbers`);if(typeof t!="string"||t.length>200)throw new ft(`name: expected a short text, got ${gn(t)}`);if(s===void 0){let l=bu({...r,name:t||String(r.kind??"surface")});return{name:t||l.name,unit:n,patches:[l]}}if(!Array.isArray(s)||!s.length)throw new ft(`patch: expected one or more [[patch]] tables, got ${gn(s)}`);let a=Object.keys(r)[0];if(a)throw new ft(`unknown key '${a}' beside [[patch]] tables; move it into a patch`);let o=s.map((l,c)=>{if(!Su(l))throw new ft(`patch ${c+1}: expected a table of keys, got ${gn(l)}`);return bu({...l,name:l.name??`patch ${c+1}`})});return{name:t||o[0].name,unit:n,patches:o}}function Tn(i){let e={schema:ut.schema,name:i.name};if(i.unit&&(e.unit=i.unit),i.patches.length===1){let{name:t,...n}=i.patches[0];return{...e,...n}}return{...e,patch:i.patches}}function Kt(i){let e=o=>i[o]??tn[i.kind].fields[o].default,t=e("flip"),n=o=>e(o),s=o=>e(o),r=()=>({basis:e("basis"),flip:t}),a=()=>e("shape");try{switch(i.kind){case"tensor":return Qs(e("points"),a(),r());case"symmetric":return Kh(e("points"),e("mirror"),a(),r());case"swept":return jh(s("section"),s("trajectory"),a(),r());case"swung":return Qh(s("profile"),s("trajectory"),a(),n("scale"),r());case"ruled":return eu(s("first"),s("second"),a(),r());case"developable":return ou(s("planes"),s("bounds"),a(),t);case"nurbs":return hu(e("points"),e("weights"),e("degrees"),e("knots"),t);case"sphere":return du(n("radius"),t);case"ellipsoid":return Gl(n("a"),n("b"),n("c"),t);case"cylinder":return fu(n("radius"),n("height"),t);case"cone":return pu(n("radius"),n("height"),t);case"torus":return mu(n("major"),n("minor"),t);case"catenoid":return gu(n("waist"),n("height"),t);case"helicoid":return xu(n("radius"),n("pitch"),t);case"hyperbolic_paraboloid":return yu(n("size"),t);case"monkey_saddle":return vu(n("size"),t);case"enneper":return _u(n("size"),t)}}catch(o){throw new ft(`patch "${i.name}": ${o.message}`)}throw new ft(`patch "${i.name}": kind: a ${i.kind} cannot be drawn in the browser`)}function Kn(i){return i.shape??tn[i.kind]?.fields.shape?.default??[]}function Ft(i,e){return i[e]??tn[i.kind]?.fields[e]?.default}function bu(i){let e=`patch "${String(i.name)}"`,t=tn[String(i.kind)];if(!t)throw new ft(`${e}: kind: expected one of ${Object.keys(tn).join(", ")}, got ${gn(i.kind)}`);let n=a=>{throw new ft(`${e}: ${a}`)};for(let a of Object.keys(i))a!=="kind"&&a!=="name"&&!t.fields[a]&&n(`unknown key '${a}'`);let s=i.basis==="bernstein";for(let[a,o]of Object.entries(t.fields)){let l=i[a];if(l===void 0){o.required&&n(`missing key '${a}': expected ${o.description}`);continue}o.type==="number"||o.type==="positive"?wu(l,a,n,o.type==="positive"):o.type==="boolean"&&typeof l!="boolean"?n(`${a}: expected true or false, got ${gn(l)}`):o.type==="choice"&&!o.choices.includes(l)?n(`${a}: expected one of ${o.choices.join(", ")}, got ${gn(l)}`):o.type==="plane"?Xl(l,a,4,n):o.type==="shape"?wp(l,a,o.default.length,i.unchecked_shape===!0,n):o.type==="points"&&Mu(l,a,s?o.counts.map(()=>0):o.counts,o.dimension,n)}let r=i;return Kt(r),r}function wp(i,e,t,n,s){let r=t===2?["alpha","zeta"]:["alpha1","zeta1","alpha2","zeta2"];Xl(i,e,t,s).forEach((a,o)=>{!n&&!(a>=nr[0]&&a<=nr[1])&&s(`shape[${o}] (${r[o]}) = ${a} is outside [-4, 1], where the basis is non-negative; choose a value in the range, or set unchecked_shape = true and lose the convex-hull property`)})}function Mu(i,e,t,n,s){if(!t.length)return void Xl(i,e,n,s);if(!Array.isArray(i))return s(`${e}: expected a list, got ${gn(i)}`);let r=t[0],a=t.length===2;(r?i.length!==r:i.length<2||i.length>64)&&s(`${e}: expected ${r||"2 to 64"} ${a?"rows":"points"}, got ${i.length}`),i.forEach((o,l)=>Mu(o,`${e}[${l}]`,t.slice(1),n,s)),a&&i.some(o=>o.length!==i[0].length)&&s(`${e}: expected rows of equal length`)}function Xl(i,e,t,n){return Array.isArray(i)?(i.length!==t&&n(`${e}: expected ${t} numbers, got ${i.length}`),i.forEach((s,r)=>wu(s,`${e}[${r}]`,n,!1)),i):n(`${e}: expected a list, got ${gn(i)}`)}function wu(i,e,t,n){typeof i!="number"&&t(`${e}: expected a number, got ${gn(i)}`),Number.isFinite(i)||t(`${e}: expected a finite number, got ${String(i)}`),Math.abs(i)>Mp&&t(`${e}: expected a number of size at most 1e50, got ${String(i)}`),n&&!(i>0)&&t(`${e}: expected a number greater than 0, got ${String(i)}`)}var Su=i=>typeof i=="object"&&i!==null&&!Array.isArray(i);function gn(i){let e=i===void 0?"nothing":JSON.stringify(i)??String(i);return e.length<=60?e:`${e.slice(0,57)}...`}function ls(i){let e=Tn(i),t=[],n=a=>{for(let[o,l]of Object.entries(a))l!=null&&t.push(`${o} = ${ql(l)}`)},{patch:s,...r}=e;n(r);for(let a of s??[])t.push("","[[patch]]"),n(a);return`${t.join(`
+`)}
+`}function ql(i,e=""){return Array.isArray(i)?i.every(t=>!Array.isArray(t))?`[${i.map(t=>ql(t)).join(", ")}]`:`[
+${i.map(t=>`${e}    ${ql(t,`${e}    `)},
+`).join("")}${e}]`:typeof i=="string"?JSON.stringify(i):String(i)}function Au(i){let e=0,t={},n=t,s=l=>{throw new ft(`not valid TOML: ${l} (at line ${i.slice(0,e).split(`
+`).length})`)},r=l=>{for(;;){for(;e<i.length&&(" 	\r".includes(i[e])||l&&i[e]===`
+`);)e++;if(i[e]!=="#")return;for(;e<i.length&&i[e]!==`
+`;)e++}},a=l=>{l.lastIndex=e;let c=l.exec(i);return c&&(e+=c[0].length),c?c[0]:null},o=l=>{if(l>20&&s("nested too deeply"),i[e]==="["){e++;let f=[];for(;r(!0),i[e]!=="]";)f.push(o(l+1)),r(!0),i[e]===","?e++:i[e]!=="]"&&s("expected , or ]");return e++,f}let c=a(/"(?:[^"\\\n]|\\.)*"|'[^'\n]*'/y);if(c)return c.startsWith("'")?c.slice(1,-1):JSON.parse(c);let h=a(/[+\-\w.]+/y);return h==="true"||h==="false"?h==="true":h&&/^[+-]?(\d[\d_]*(\.\d[\d_]*)?([eE][+-]?\d+)?|inf|nan)$/.test(h)?Number(h.replaceAll("_","").replace(/inf$/,"Infinity").replace(/^[+-]?nan$/,"NaN")):s("expected a value")};for(;;){if(r(!0),e>=i.length)return t;if(a(/\[\[\s*patch\s*\]\]/y))n={},t.patch=[...t.patch??[],n];else{let l=a(/[\w-]+/y)??s("expected a key");r(!1),i[e]!=="="&&s(`expected = after ${l}`),e++,r(!1),Object.hasOwn(n,l)&&s(`the key ${l} stands twice`),n[l]=o(0)}r(!1),e<i.length&&i[e]!==`
+`&&s("expected the end of the line")}}function R(i,e={},...t){let n=document.createElement(i);for(let[s,r]of Object.entries(e))if(s==="on")for(let[a,o]of Object.entries(r))n.addEventListener(a,o);else s==="class"?n.className=String(r):r===!0?n.setAttribute(s,""):r!==!1&&r!==null&&r!==void 0&&n.setAttribute(s,String(r));return n.append(...t.filter(s=>s!=null&&s!==!1).map(s=>typeof s=="number"?String(s):s)),n}var Tu="http://www.w3.org/2000/svg";function xt(i){let e=document.createElementNS(Tu,"svg");e.setAttribute("viewBox","0 0 16 16"),e.setAttribute("class","icon"),e.setAttribute("aria-hidden","true");let t=document.createElementNS(Tu,"path");return t.setAttribute("d",i),e.append(t),e}var wt={undo:"M3 6h7a3.5 3.5 0 0 1 0 7H6M3 6l3-3M3 6l3 3",redo:"M13 6H6a3.5 3.5 0 0 0 0 7h4M13 6l-3-3M13 6l-3 3",open:"M2 4.5h4l1.5 1.5H14v7H2zM2 8h12",save:"M3 3h8l2 2v8H3zM5.5 3v3.5h4V3M5 13V9h6v4",picture:"M2 4h3l1-1.5h4L11 4h3v9H2zM8 6.2a2.4 2.4 0 1 0 0 4.8 2.4 2.4 0 0 0 0-4.8z",export:"M8 10V2.5M5 5l3-3 3 3M3 9v4.5h10V9",sun:"M8 5.2a2.8 2.8 0 1 0 0 5.6 2.8 2.8 0 0 0 0-5.6zM8 1v1.6M8 13.4V15M1 8h1.6M13.4 8H15M3 3l1.2 1.2M11.8 11.8 13 13M13 3l-1.2 1.2M4.2 11.8 3 13",moon:"M13 9.5A5.5 5.5 0 1 1 6.5 3 4.4 4.4 0 0 0 13 9.5z",help:"M8 2a6 6 0 1 0 0 12A6 6 0 0 0 8 2zM6.2 6.2a1.9 1.9 0 1 1 2.6 1.8c-.6.3-.8.6-.8 1.2M8 11.2v.3",down:"M4.5 6.5 8 10l3.5-3.5",fit:"M2.5 6V2.5H6M10 2.5h3.5V6M13.5 10v3.5H10M6 13.5H2.5V10",pin:"M8 14V9.5M5 9.5h6L9.8 7V3.5H11v-1H5v1h1.2V7z",close:"M4 4l8 8M12 4l-8 8",flip:"M8 2v12M5 5 2 8l3 3M11 5l3 3-3 3",wire:"M2 12 6 3l8 2-3 9zM4 7.5l8.6 2M9.5 4 6.5 13",side:"M2.5 3h11v10h-11zM6 3v10"},aa=i=>i.value.trim()===""?NaN:Number(i.value.replace(",","."));function jn(i,e,t="text/plain"){let n=typeof e=="string"?new Blob([e],{type:t}):e,s=R("a",{href:URL.createObjectURL(n),download:i});s.click(),setTimeout(()=>URL.revokeObjectURL(s.href),1e4)}var Fn=i=>i.normalize("NFKD").replace(/[^\w-]+/g,"_").replace(/^_+|_+$/g,"").toLowerCase()||"surface";var ir=class extends Error{},sr=class{constructor(e,t){this.kind=e;this.place=t}kind;place;list(){return Promise.resolve([])}load(e){return Promise.reject(new ft(`${e}: a page from disk has no folder to open files from`))}read(e,t){return new Promise(n=>n(Ap(e,t)))}save(e,t){return jn(`${Fn(e.replace(/\.(toml|json)$/i,""))}.toml`,ls(t)),Promise.resolve(null)}formats(){return Promise.resolve([])}export(){return Promise.reject(new Error("exports need the live studio: quintrig view MODEL"))}},oa=class{constructor(e){this.place=e}place;kind="live";async list(){return(await this.ask("GET","api/files")).files}async load(e){return $l(await this.ask("GET",`api/files/${encodeURIComponent(e)}`))}async read(e,t){let n=await this.ask("POST","api/check",JSON.stringify({name:e,text:t}));return Wt(n.model)}async save(e,t,n){let s=JSON.stringify({text:ls(t),tag:n});return await this.ask("PUT",`api/files/${encodeURIComponent(e)}`,s)}async formats(){return(await this.ask("GET","api/formats")).formats}async export(e,t){let n=await this.send("POST",`api/export/${t.key}`,JSON.stringify({text:ls(e)}));jn(`${Fn(e.name)}.${t.suffix}`,await n.blob())}async ask(e,t,n){return(await this.send(e,t,n)).json()}async send(e,t,n){let s;try{s=await fetch(t,{method:e,body:n??null,...n?{headers:{"Content-Type":"application/json"}}:{}})}catch{throw new Error("the server does not answer: has quintrig view been stopped? Your work is kept in this browser")}if(s.ok)return s;let a=(await s.json().catch(()=>null))?.error??`the server answered ${s.status}`;throw s.status===409?new ir(a):s.status===422?new ft(a):new Error(a)}};function $l(i){let{model:e,name:t,tag:n}=i;return{model:Wt(e),source:t?{name:t,tag:n}:null}}function Ap(i,e){try{if(/\.toml$/i.test(i))return Wt(Au(e));if(!/\.json$/i.test(i))throw new ft("expected a file ending in .toml or .json");let t;try{t=JSON.parse(e)}catch(n){throw new ft(`not valid JSON: ${n.message}`)}return Wt(t)}catch(t){throw new ft(`${i}: ${t.message}`)}}var la={relative:1e-6,flat:1e-6};function Yl(i,e,t,n,s){if(!(Math.abs(t)<1e300))return 0;if(t<=s)return 5;let r=Math.abs(i)<=n*t*t?0:i>0?1:-1;return 1+3*(1+(Math.abs(e)<=n*t?0:e>0?1:-1))+(1-r)}function Eu(i,e,t,n){if(i===0)return 0;if(i===5)return 4;let s=(i-1)%3;return s===0?e<=n*t?5:1:s===1?3:2}function Cu(i,e){if(e===0)return 0;if(e===5)return 10;let t=1;for(let n of[-.875,-.625,-.375,-.125])i>=n&&t++;for(let n of[.125,.375,.625,.875])i>n&&t++;return t}function Ru(i,e,t){let n=.5*(i-t);return Math.sqrt(n*n+e*e)}function Pu(i,e,t,n){return t>n?-2/Math.PI*Math.atan2(i,e):NaN}var Vi=1,Hi=0;function ca(i,e,t,n){let s=.5*(i-t),r=s>=0?n+s:e,a=s>=0?e:n-s,o=Math.sqrt(r*r+a*a);Vi=r/o,Hi=a/o}function Iu(i,e,t,n,s,r,a){a[0]=i*n*n+2*e*n*s+t*s*s,a[1]=r*((t-i)*n*s+e*(n*n-s*s)),a[2]=i*s*s-2*e*n*s+t*n*n}function Lu(i,e,t,n,s,r){let a=1/s,o=a*a,l=o*a;r[0]=e*o,r[1]=(i[0]+2*t*s*s)*l,r[2]=n*o*o,r[3]=i[0]*l*o,r[4]=i[1]*o*o,r[5]=i[2]*l}function Nu(i,e,t,n,s,r){r[0]=e,r[1]=2*s*t,r[2]=s*s*n,r[3]=s*i[0],r[4]=Math.abs(s)*i[1],r[5]=s*i[2]}var Un=ut.quantities,dt=Object.fromEntries(Un.map(i=>[i.key,i]));function Du(i,e){if(!e||i.power===0)return"";let t=e+["","","²","³"][Math.abs(i.power)];return i.power>0?t:`1/${t}`}var Tp=4096*2**-52,Fu=1e-12,Ne={a:0,b:1,c:2,normal:3,e1:6,e2:9,point:12,forms:15,mean:21,radius:22,gaussian:23,curvedness:24},Ep=25,hs=class{nu=0;nv=0;count=0;size=0;sign=1;stride=0;planes=new Float64Array(0);low=[0,0,0];high=[0,0,0];rows=new Float64Array(0);blend=new Float64Array(0);u=new Float64Array(0);v=new Float64Array(0);evaluate(e,t,n){this.u.length!==t&&(this.u=ku(t)),this.v.length!==n&&(this.v=ku(n)),this.evaluateAt(e,this.u,this.v,!0)}evaluateAt(e,t,n,s){let r=ia(e);this.low=r.low,this.high=r.high,this.size=r.size,this.sign=e.flip?-1:1,this.nu=s?t.length:1,this.nv=n.length,this.count=this.nu*this.nv;let a=e.rows.size,o=e.rows.dimension;this.rows.length<3*t.length*a*o&&(this.rows=new Float64Array(3*t.length*a*o)),this.blend.length<3*n.length*a&&(this.blend=new Float64Array(3*n.length*a)),this.stride<this.count&&(this.stride=this.count,this.planes=new Float64Array(Ep*this.stride)),e.rows.derivatives(t,t.length,this.rows),e.blend.derivatives(n,n.length,this.blend);let l=Tp*this.size*this.size;o===4?this.driveRational(a,t.length,n.length,s,l):this.drive(a,t.length,n.length,s,l)}quantity(e,t,n){Pp(this,e,t,n)}drive(e,t,n,s,r){let{rows:a,blend:o}=this,l=3*e*t,c=e*n;for(let h=0;h<this.count;h++){let f=s?h/n|0:h,d=s?h-f*n:h,u=0,p=0,v=0,g=0,m=0,_=0,E=0,M=0,A=0,w=0,x=0,S=0,F=0,P=0,N=0,B=0,q=0,I=0;for(let G=0,X=3*e*f,z=e*d;G<e;G++,X+=3,z++){let ee=o[z],H=o[z+c],K=o[z+2*c],te=a[X],ve=a[X+1],Ae=a[X+2],$=a[X+l],se=a[X+l+1],pe=a[X+l+2];u+=te*ee,p+=ve*ee,v+=Ae*ee,g+=$*ee,m+=se*ee,_+=pe*ee,E+=te*H,M+=ve*H,A+=Ae*H,w+=a[X+2*l]*ee,x+=a[X+2*l+1]*ee,S+=a[X+2*l+2]*ee,F+=$*H,P+=se*H,N+=pe*H,B+=te*K,q+=ve*K,I+=Ae*K}this.reduce(h,u,p,v,g,m,_,E,M,A,w,x,S,F,P,N,B,q,I,r)}}driveRational(e,t,n,s,r){let{rows:a,blend:o}=this,l=4*e*t,c=e*n,h=new Float64Array(24);for(let f=0;f<this.count;f++){let d=s?f/n|0:f,u=s?f-d*n:f;h.fill(0);for(let M=0,A=4*e*d,w=e*u;M<e;M++,A+=4,w++){let x=o[w],S=o[w+c],F=o[w+2*c];for(let P=0;P<4;P++){let N=a[A+P],B=a[A+l+P];h[P]+=N*x,h[4+P]+=B*x,h[8+P]+=N*S,h[12+P]+=a[A+2*l+P]*x,h[16+P]+=B*S,h[20+P]+=N*F}}let p=h[3],v=h[7],g=h[11],m=h[15],_=h[19],E=h[23];for(let M=0;M<3;M++){let A=h[M]/p,w=(h[4+M]-v*A)/p,x=(h[8+M]-g*A)/p;h[12+M]=(h[12+M]-2*v*w-m*A)/p,h[16+M]=(h[16+M]-v*x-g*w-_*A)/p,h[20+M]=(h[20+M]-2*g*x-E*A)/p,h[M]=A,h[4+M]=w,h[8+M]=x}this.reduce(f,h[0],h[1],h[2],h[4],h[5],h[6],h[8],h[9],h[10],h[12],h[13],h[14],h[16],h[17],h[18],h[20],h[21],h[22],r)}}reduce(e,t,n,s,r,a,o,l,c,h,f,d,u,p,v,g,m,_,E,M){let A=this.planes,w=this.stride,x=this.sign,S=r*r+a*a+o*o,F=r*l+a*c+o*h,P=l*l+c*c+h*h,N=a*h-o*c,B=o*l-r*h,q=r*c-a*l,I=Math.sqrt(N*N+B*B+q*q),G=I>M?1/I:NaN,X=x*G,z=N*X,ee=B*X,H=q*X,K=f*z+d*ee+u*H,te=p*z+v*ee+g*H,ve=m*z+_*ee+E*H,Ae=F/S,$=K/S,se=(te-Ae*K)*G,pe=(ve-2*Ae*te+Ae*Ae*K)*(S*G)*G,Te=.5*($+pe),me=Ru($,se,pe),Ie=1/Math.sqrt(S),at=r*Ie,Ce=a*Ie,$e=o*Ie;A[e]=$,A[w+e]=se,A[2*w+e]=pe,A[3*w+e]=z,A[4*w+e]=ee,A[5*w+e]=H,A[6*w+e]=at,A[7*w+e]=Ce,A[8*w+e]=$e,A[9*w+e]=x*(ee*$e-H*Ce),A[10*w+e]=x*(H*at-z*$e),A[11*w+e]=x*(z*Ce-ee*at),A[12*w+e]=t,A[13*w+e]=n,A[14*w+e]=s,A[15*w+e]=S,A[16*w+e]=F,A[17*w+e]=P,A[18*w+e]=K,A[19*w+e]=te,A[20*w+e]=ve,A[21*w+e]=Te,A[22*w+e]=me,A[23*w+e]=$*pe-se*se,A[24*w+e]=Math.sqrt(Te*Te+me*me)}},Cp=["E","F","G","L","M","N"],Rp=["beta0","beta1","beta2","gamma1","gamma2","gamma3"],Jl=new Float64Array(3),cs=new Float64Array(6);function Pp(i,e,t,n){let{planes:s,stride:r,count:a}=i,o=(p,v=1)=>{for(let g=0;g<v;g++)for(let m=0,_=(p+g)*r;m<a;m++,_++)t[v*m+g]=s[_]},l=i.size>0?1/i.size:1/0,c=n.flat*l,h=n.relative;switch(e){case"point":return o(Ne.point,3);case"normal":return o(Ne.normal,3);case"gaussian":return o(Ne.gaussian);case"mean":return o(Ne.mean);case"curvedness":return o(Ne.curvedness);case"k1":case"k2":{let p=e==="k1"?1:-1;for(let v=0;v<a;v++)t[v]=s[Ne.mean*r+v]+p*s[Ne.radius*r+v];return}case"direction1":case"direction2":return Ip(i,e==="direction2",h,t);case"shape_index":for(let p=0;p<a;p++)t[p]=Uu(s,r,p,Fu*l);return;case"hk_type":for(let p=0;p<a;p++)t[p]=Zl(s,r,p,h,c);return;case"point_type":for(let p=0;p<a;p++){let v=Zl(s,r,p,h,c);t[p]=Eu(v,s[Ne.radius*r+p],s[Ne.curvedness*r+p],h)}return;case"shape_class":for(let p=0;p<a;p++)t[p]=Cu(Uu(s,r,p,Fu*l),Zl(s,r,p,h,c));return;case"invariant_type":for(let p=0;p<a;p++){Ou(i,p,!0);let v=.5*cs[1],g=2*v*v-cs[2];t[p]=Yl(cs[2],v,Math.sqrt(g<0?0:g),h,c)}return}let f=Cp.indexOf(e);if(f>=0)return o(Ne.forms+f);let d=e.endsWith("_surface"),u=Rp.indexOf(d?e.slice(0,-8):e);if(u<0)throw new Error(`unknown quantity '${e}'; known are ${Object.keys(dt).join(", ")}`);for(let p=0;p<a;p++)Ou(i,p,!d),t[p]=cs[u]}function Zl(i,e,t,n,s){return Yl(i[Ne.gaussian*e+t],i[Ne.mean*e+t],i[Ne.curvedness*e+t],n,s)}function Uu(i,e,t,n){return Pu(i[Ne.mean*e+t],i[Ne.radius*e+t],i[Ne.curvedness*e+t],n)}function Ou(i,e,t){let{planes:n,stride:s}=i,r=n[(Ne.e1+2)*s+e],a=n[(Ne.e2+2)*s+e],o=n[(Ne.normal+2)*s+e];Iu(n[e],n[s+e],n[2*s+e],r,a,i.sign,Jl);let l=r*r+a*a,c=n[Ne.mean*s+e],h=n[Ne.gaussian*s+e];t?Lu(Jl,l,c,h,o,cs):Nu(Jl,l,c,h,o,cs)}function Ip(i,e,t,n){let{planes:s,stride:r,count:a}=i;for(let o=0;o<a;o++){let l=s[Ne.radius*r+o],c=l>t*s[Ne.curvedness*r+o];ca(s[o],s[r+o],s[2*r+o],l);for(let h=0;h<3;h++){let f=s[(Ne.e1+h)*r+o],d=s[(Ne.e2+h)*r+o],u=e?Vi*d-Hi*f:Vi*f+Hi*d;n[3*o+h]=c?u:NaN}}}var ku=i=>Float64Array.from({length:i},(e,t)=>t===i-1?1:t/(i-1));function Gi(i,e,t,n=!1,s=Un.map(a=>a.key),r=la){for(let o of[...Array.from(e),...Array.from(t)])if(!(o>=0&&o<=1))throw new Error(`parameter ${o} is outside the domain [0, 1]`);let a=new hs;return a.evaluateAt(i,Float64Array.from(e),Float64Array.from(t),!n),Object.fromEntries(s.map(o=>{let l=new Float64Array(a.count*(dt[o]?.components??1));return a.quantity(o,l,r),[o,l]}))}var rr=[.11,.36,.66],ha=[0,.47,.42],ds=[!0,!0,!0],Vu=400;function Qn(i,e){let t=n=>Ft(i,n)??[];switch(i.kind){case"tensor":case"nurbs":return Kl(t("points"));case"symmetric":{let n=t("points"),s=Ft(i,"mirror"),r=Kl(n).map(a=>({...a,id:`${a.id}′`,label:`${a.label}′`,position:sa(a.position,s),mirrored:!0}));return[...Kl(n),...r]}case"swept":return[...us("section",t("section"),ds,rr),...us("trajectory",t("trajectory"),ds,ha)];case"ruled":return[...us("first",t("first"),ds,rr),...us("second",t("second"),ds,ha)];case"swung":return[...us("profile",t("profile").map(([n,s])=>[n,0,s]),[!0,!1,!0],rr),...us("trajectory",t("trajectory").map(([n,s])=>[n,s,0]),[!0,!0,!1],ha)];case"developable":return[...zu("planes",t("planes"),e,n=>[n/5,.5],rr),...zu("bounds",t("bounds"),e,n=>[.5,n],ha)];default:return[]}}function da(i,e,t){if(e.along){let r=Ft(i,e.key)[e.index[0]],a=-(r[0]*t[0]+r[1]*t[1]+r[2]*t[2]);return ua(i,e.key,e.index,[r[0],r[1],r[2],Bu(a)])}let n=e.position.map((r,a)=>e.free[a]?t[a]:r);e.mirrored&&(n=sa(n,Ft(i,"mirror")));let s=i.kind!=="swung"?n:e.key==="profile"?[n[0],n[2]]:[n[0],n[1]];return ua(i,e.key,e.index,s.map(Bu))}function ua(i,e,t,n){let s=(r,a)=>a.length?r.map((o,l)=>l===a[0]?s(o,a.slice(1)):o):n;return{...i,[e]:s(Ft(i,e),t)}}function Hu(i,e){let t=a=>Ft(i,a);switch(i.kind){case"swept":return[t("section").slice(),t("trajectory").slice()];case"swung":return[t("profile").map(([a,o])=>[a,0,o]),t("trajectory").map(([a,o])=>[a,o,0])];case"ruled":return[t("first").slice(),t("second").slice()]}let n=e.net;if(!n||n.n*n.m>Vu)return[];let s=(a,o)=>Array.from(n.values.subarray(3*(a*n.m+o),3*(a*n.m+o)+3)),r=a=>Array.from({length:a},(o,l)=>l);return[...r(n.n).map(a=>r(n.m).map(o=>s(a,o))),...r(n.m).map(a=>r(n.n).map(o=>s(o,a)))]}var Bu=i=>Number(i.toPrecision(12))+0;function Kl(i){return i.length*(i[0]?.length??0)>Vu?[]:i.flatMap((e,t)=>e.map((n,s)=>({id:`points[${t}][${s}]`,key:"points",index:[t,s],label:`P${t}${s}`,position:n,free:ds,tint:rr})))}function us(i,e,t,n){return e.map((s,r)=>({id:`${i}[${r}]`,key:i,index:[r],label:`${i} ${r}`,position:s,free:t,tint:n}))}function zu(i,e,t,n,s){return e.map((r,a)=>{let[o,l]=n(a),c=Array.from(Gi(t,[o],[l],!0,["point"]).point),[h,f,d,u]=r,p=(c[0]*h+c[1]*f+c[2]*d+u)/(h*h+f*f+d*d),v=[c[0]-p*h,c[1]-p*f,c[2]-p*d];return{id:`${i}[${a}]`,key:i,index:[a],label:`${i==="planes"?"plane":"bound"} ${a}`,position:v,free:ds,along:[h,f,d],tint:s}})}var Gu={centre:[0,0,0],scale:1};function Wu(i,e){let t=.5*Math.hypot(e[0]-i[0],e[1]-i[1],e[2]-i[2]),n=s=>.5*(i[s]+e[s]);return{centre:[n(0),n(1),n(2)],scale:t>0&&Number.isFinite(t)?1/t:1}}var gi=(i,e)=>[(e[0]-i.centre[0])*i.scale,(e[1]-i.centre[1])*i.scale,(e[2]-i.centre[2])*i.scale],Xu=(i,e)=>[e[0]/i.scale+i.centre[0],e[1]/i.scale+i.centre[1],e[2]/i.scale+i.centre[2]];var jl={quantity:"gaussian",range:"robust",percentile:2,low:-1,high:1,contours:!1,net:!0,curves:!0,directions:!1,normals:!1,combs:"off",combScale:1,zeroK:!1,zeroH:!1,minRadius:!1,stripes:"none",density:24,lightAzimuth:30,lightElevation:60,section:!1,sectionAxis:"x",sectionAt:0,clip:!1,wireframe:!1,projection:"perspective",theme:"auto",snap:!1,snapStep:1,locks:[!1,!1,!1],resolution:150},qu=["theme","projection","curves","net","resolution"],$u="quintrig:settings";function Yu(){try{let i=JSON.parse(localStorage.getItem($u)??"{}"),e=qu.filter(t=>typeof i[t]==typeof jl[t]);return{...jl,...Object.fromEntries(e.map(t=>[t,i[t]]))}}catch{return jl}}function Ju(i){try{localStorage.setItem($u,JSON.stringify(Object.fromEntries(qu.map(e=>[e,i[e]]))))}catch{}}var fa=class{constructor(e){this.state=e}state;past=[];future=[];gesture=null;listeners=[];subscribe(e){this.listeners.push(e)}set(e){let t=this.state;this.state={...t,...e},this.state.settings!==t.settings&&Ju(this.state.settings);for(let n of this.listeners)n(this.state,t)}setting(e){this.set({settings:{...this.state.settings,...e}})}edit(e,t=null){e!==this.state.model&&((t===null||t!==this.gesture)&&(this.past.push(this.state.model),this.past.length>500&&this.past.shift()),this.gesture=t,this.future=[],this.replace(e,t!==null))}editPatch(e,t=null){let{model:n,patch:s}=this.state;this.edit({...n,patches:n.patches.map((r,a)=>a===s?e:r)},t)}settle(){this.gesture=null,this.state.moving&&this.set({moving:!1})}undo(){let e=this.past.pop();e&&(this.future.push(this.state.model),this.gesture=null,this.replace(e,!1))}redo(){let e=this.future.pop();e&&(this.past.push(this.state.model),this.gesture=null,this.replace(e,!1))}open(e,t,n=e){this.past=[],this.future=[],this.gesture=null,this.set({model:e,saved:n,source:t,patch:0,selected:null,pins:[],hover:null,kept:[],compare:"off",canUndo:!1,canRedo:!1,moving:!1,message:null})}replace(e,t){let n=Math.min(this.state.patch,e.patches.length-1);this.set({model:e,patch:n,moving:t,canUndo:this.past.length>0,canRedo:this.future.length>0})}},pa=ut.presets.map(Wt),ma=i=>ut.shapeSets[String(i)]??[],ga=i=>Wt(ut.starters[i]),It=i=>i.model.patches[i.patch];var Lp=11;function Ku(i,e){let{store:t,stage:n}=e,s=null,r=null,a=!1,o=u=>{let p=i.getBoundingClientRect();return{x:u.clientX-p.left,y:u.clientY-p.top}},l=()=>{let u=It(t.state);return r?.patch!==u&&(r={patch:u,list:Dp(()=>Qn(u,Kt(u)))}),r.list},c=(u,p)=>{let v=n.cellAt(u,p);if(v<0||!t.state.settings.net||!e.editable(v))return null;let g=null,m=Lp;for(let _ of l()){let E=n.project(v,gi(e.frame(),_.position)),M=Math.hypot(E.x-u,E.y-p)-(_.id===t.state.selected?2:0);M<m&&(m=M,g=_)}return g};i.addEventListener("pointerdown",u=>{let{x:p,y:v}=o(u),g=u.button!==0||u.shiftKey,m=g?null:c(p,v);i.setPointerCapture(u.pointerId),i.focus({preventScroll:!0}),s={kind:g?"pan":m?"move":"turn",cell:n.cellAt(p,v),handle:m,x:p,y:v,far:0},m&&t.set({selected:m.id,hover:null}),u.preventDefault()}),i.addEventListener("pointermove",u=>{let{x:p,y:v}=o(u);if(!s){if(i.classList.toggle("grab",c(p,v)!==null),a)return;a=!0,requestAnimationFrame(()=>{a=!1,s||f(p,v)});return}let g=p-s.x,m=v-s.y;s.far+=Math.abs(g)+Math.abs(m),s.kind==="turn"?n.orbit.turn(g,m):s.kind==="pan"?n.orbit.pan(g/n.cells[0].height,m/n.cells[0].height):s.far>2&&d(s,p,v),s.x=p,s.y=v,s.kind!=="move"&&e.redraw()});let h=u=>{if(!s)return;let p=s;if(s=null,t.settle(),u.type==="pointercancel"||p.far>4||p.kind!=="turn"||u.button!==0)return;let v=n.pick(p.x,p.y,t.state.settings,e.frame());v?t.set({pins:[...t.state.pins,{patch:v.piece,u:xa(v.u),v:xa(v.v)}]}):t.set({selected:null})};i.addEventListener("pointerup",h),i.addEventListener("pointercancel",h),i.addEventListener("pointerleave",()=>{!s&&t.state.hover&&t.set({hover:null})}),i.addEventListener("contextmenu",u=>u.preventDefault()),i.addEventListener("dblclick",()=>{n.fit(ar()),e.redraw()}),i.addEventListener("wheel",u=>{u.preventDefault(),n.orbit.zoom(Math.exp(Math.max(-60,Math.min(60,u.deltaY*(u.deltaMode?16:1)))*.0022)),e.redraw()},{passive:!1});function f(u,p){let v=n.pick(u,p,t.state.settings,e.frame());v?t.set({hover:{patch:v.piece,u:xa(v.u),v:xa(v.v),x:u,y:p,cell:v.cell}}):t.state.hover&&t.set({hover:null})}function d(u,p,v){let g=l().find(S=>S.id===u.handle.id);if(!g)return;let{settings:m}=t.state,_=gi(e.frame(),g.position),E=n.ray(u.cell,u.x,u.y),M=n.ray(u.cell,p,v),A=g.free.map((S,F)=>S&&!m.locks[F]),w=g.along?ju(_,g.along,E,M):Np(_,A,E,M,n),x=Xu(e.frame(),w).map((S,F)=>g.along||A[F]?S:g.position[F]);m.snap&&!g.along&&(x=x.map((S,F)=>A[F]?Math.round(S/m.snapStep)*m.snapStep:S)),t.editPatch(da(It(t.state),g,x),`drag ${g.id}`)}}var xa=i=>Math.round(i*1e4)/1e4,ar=()=>matchMedia("(prefers-reduced-motion: reduce)").matches;function Np(i,e,t,n,s){let r=e.filter(Boolean).length;if(r===0)return[...i];if(r===1)return ju(i,e.map(Number),t,n);let{towards:a}=s.orbit.axes(),o=[a.x,a.y,a.z];if(r===2){let h=e.map(d=>d?0:1),f=h.indexOf(1);Math.abs(o[f])>.05&&(o=h)}let l=Zu(i,o,t),c=Zu(i,o,n);return i.map((h,f)=>e[f]?h+c[f]-l[f]:h)}function Zu(i,e,t){let n=(o,l)=>o[0]*l[0]+o[1]*l[1]+o[2]*l[2],s=n(e,i)-n(e,t.origin),r=n(e,t.direction),a=Math.abs(r)>1e-9?s/r:0;return t.origin.map((o,l)=>o+a*t.direction[l])}function ju(i,e,t,n){let s=Math.hypot(...e),r=e.map(l=>l/s),a=l=>{let c=i.map((u,p)=>u-l.origin[p]),h=(u,p)=>u[0]*p[0]+u[1]*p[1]+u[2]*p[2],f=h(r,l.direction),d=1-f*f;return d>1e-4?(f*h(c,l.direction)-h(c,r))/d:0},o=a(n)-a(t);return i.map((l,c)=>l+o*r[c])}function Dp(i){try{return i()}catch{return[]}}var Fp=0,Up=i=>`${i}-${++Fp}`;function ei(i){let{min:e,max:t,step:n}=i,s=Up("slider"),r=d=>`${100*(Math.min(t,Math.max(e,d))-e)/(t-e)}%`,a=R("input",{type:"range",id:s,min:e,max:t,step:n,"aria-label":i.name}),o=R("input",{type:"number",class:"number",step:n,"aria-label":`${i.name}, number`,...i.hard?{min:e,max:t}:{}}),l=R("div",{class:"track"});a.addEventListener("input",()=>{h(Number(a.value)),i.onInput(Number(a.value))}),a.addEventListener("change",()=>i.onSettle?.()),o.addEventListener("change",()=>{let d=aa(o),u=Number.isFinite(d)&&(!i.hard||d>=e&&d<=t);o.classList.toggle("wrong",!u),o.title=u?"":`Expected a number from ${e} to ${t}`,u&&(i.onInput(d),i.onSettle?.())});let c=(i.marks??[]).map(d=>{let u=R("span",{class:"mark"},String(d).replace("-","−"));return u.style.left=r(d),u}),h=d=>{l.style.setProperty("--share",r(d)),l.style.setProperty("--zero",r(0))};return{element:R("div",{class:"slider"},R("label",{for:s,class:"symbol"},i.label),R("div",{class:"range"},l,a,R("div",{class:"marks","aria-hidden":"true"},...c)),o),update(d){a.value=String(d),(!o.matches(":focus")||aa(o)!==d)&&(o.value=String(Number(d.toPrecision(8)))),o.classList.remove("wrong"),h(d)}}}function On(i){let e=R("input",{type:"number",class:"number",step:i.step??"any","aria-label":i.name});return e.addEventListener("change",()=>{let n=aa(e),s=Number.isFinite(n)&&Math.abs(n)<=1e50&&(!i.positive||n>0);e.classList.toggle("wrong",!s),e.title=s?"":i.positive?"Expected a number greater than 0":"Expected a number",s&&i.onChange(n)}),{element:R("label",{class:"field"},R("span",{},i.label),e),update(n){e.disabled=Number.isNaN(n),e.value=Number.isNaN(n)?"":String(Number(n.toPrecision(10))),e.classList.remove("wrong")}}}function nn(i,e,t,n=""){let s=R("input",{type:"checkbox",class:"switch"});return s.addEventListener("change",()=>e(s.checked)),{element:R("label",{class:"toggle",title:n||!1},s,R("span",{},i),t),update:a=>{s.checked=a}}}function xn(i,e,t){let n=e.map(r=>{let a=R("button",{type:"button",role:"radio",class:"segment",title:r.title??!1,"data-value":r.value},r.label);return a.addEventListener("click",()=>t(r.value)),a}),s=R("div",{class:"segmented",role:"radiogroup","aria-label":i},...n);return s.addEventListener("keydown",r=>{let a={ArrowRight:1,ArrowDown:1,ArrowLeft:-1,ArrowUp:-1}[r.key],o=n.indexOf(r.target);if(!a||o<0)return;r.preventDefault(),r.stopPropagation();let l=(o+a+n.length)%n.length;n[l].focus(),t(e[l].value)}),{element:s,update(r){n.forEach((a,o)=>{let l=e[o].value===r;a.setAttribute("aria-checked",String(l)),a.tabIndex=l||o===0&&!e.some(c=>c.value===r)?0:-1})}}}function or(i,e,t){let n=r=>r.options.map(a=>R("option",{value:a.value},a.label)),s=R("select",{"aria-label":i},...e.flatMap(r=>r.label?[R("optgroup",{label:r.label},...n(r))]:n(r)));return s.addEventListener("change",()=>t(s.value)),{element:s,update:r=>{s.value=r}}}function it(i,e,t,n="button"){return R("button",{type:"button",class:n,title:e,"aria-label":e,on:{click:t}},i)}function lr(i,e,t,n="button"){let s=R("div",{class:"menu",role:"menu","aria-label":e,hidden:!0}),r=R("button",{type:"button",class:n,title:e,"aria-label":e,"aria-haspopup":"menu","aria-expanded":"false"},i),a=R("div",{class:"menu-box"},r,s),o=c=>{s.hidden=!0,r.setAttribute("aria-expanded","false"),c&&r.focus()},l=()=>{s.replaceChildren(...t().map(f=>{if(typeof f=="string")return R("div",{class:"menu-title"},f);let d=R("button",{type:"button",role:"menuitem",class:"menu-item",disabled:f.disabled??!1},R("span",{},f.label),f.hint?R("small",{},f.hint):null);return d.addEventListener("click",()=>{o(!0),f.act()}),d})),s.hidden=!1,r.setAttribute("aria-expanded","true");let c=s.getBoundingClientRect().right,h=a.closest(".studio").getBoundingClientRect().right;s.classList.toggle("to-left",c>h-8),s.querySelector("[role=menuitem]:not([disabled])")?.focus()};return r.addEventListener("click",()=>s.hidden?l():o(!1)),a.addEventListener("focusout",c=>{a.contains(c.relatedTarget)||o(!1)}),a.addEventListener("keydown",c=>{if(s.hidden)return;let h=[...s.querySelectorAll("[role=menuitem]:not([disabled])")],f=h.indexOf(c.target);c.stopPropagation(),c.key==="Escape"?o(!0):(c.key==="ArrowDown"||c.key==="ArrowUp")&&(c.preventDefault(),h[(f+(c.key==="ArrowDown"?1:-1)+h.length)%h.length]?.focus())}),a}function xi(i,e,...t){return R("details",{class:"section",open:e},R("summary",{},i),R("div",{class:"section-body"},...t))}function pt(i,e=4){if(Number.isNaN(i))return"undefined";if(!Number.isFinite(i))return i>0?"∞":"−∞";if(i===0)return"0";let t=Math.abs(i);return(t>=1e5||t<.001?Op(i,e):String(Number(i.toPrecision(e)))).replace("-","−")}function Op(i,e){let[t,n]=i.toExponential(e-1).split("e");return`${Number(t)}·10${kp(Number(n))}`}var kp=i=>String(i).replace(/[-\d]/g,e=>e==="-"?"⁻":"⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(e)]),Ql=i=>i>0&&i<.001?"<0.1 %":`${pt(100*i,i<.1?2:3)} %`,At=i=>i.charAt(0).toUpperCase()+i.slice(1),Bp={kappa:"κ",beta:"β",gamma:"γ",alpha:"α",zeta:"ζ",lambda:"λ"};function kn(i){let e=document.createElement("span");e.className="math";let t=i.replace(/\\mathrm\{([^}]*)\}/g,"«$1»").replace(/\\mathbf\{([^}]*)\}/g,"‹$1›").replace(/\\,/g," "),n=/«([^»]*)»|‹([^›]*)›|\\([a-z]+)|([_^])(?:\{([^}]*)\}|(.))|([^\\_^])/g;for(let[,s,r,a,o,l,c,h]of t.matchAll(n))s!==void 0?e.append(cr("span",s,"roman")):r!==void 0?e.append(cr("b",r)):a!==void 0?e.append(cr("i",Bp[a]??a)):o?e.append(cr(o==="_"?"sub":"sup",l??c??"")):h&&e.append(/[A-Za-z]/.test(h)?cr("i",h):h);return e}function cr(i,e,t=""){let n=document.createElement(i);return n.textContent=e,t&&(n.className=t),n}function ya(i,e,t=5){return i.colour==="classes"?i.classes[e]??"undefined":pt(e,t)}var Bn=(i,e)=>Du(i,e);var zp=["gaussian","mean","k1","k2","shape_index","curvedness","hk_type","shape_class","point_type"];function hr(i,e){return Gi(Kt(i.patches[e.patch]),[e.u],[e.v],!0)}var va=class{constructor(e,t){this.store=e;this.unfolded=t;let n=On({label:R("i",{class:"math"},"u"),name:"u to pin",step:.05,onChange:o=>this.u=Math.min(1,Math.max(0,o))}),s=On({label:R("i",{class:"math"},"v"),name:"v to pin",step:.05,onChange:o=>this.v=Math.min(1,Math.max(0,o))});n.update(this.u),s.update(this.v);let r=nn("All quantities",o=>{this.all=o,this.refresh(e.state)}),a=R("div",{class:"probe-tools"},n.element,s.element,it("Pin","Pin the point at these parameters",()=>this.add()),r.element,R("span",{class:"spacer"}),it("CSV","Save the table as CSV",()=>this.save()),it("Clear","Remove all pins",()=>e.set({pins:[]})));this.element=R("details",{class:"probe"},R("summary",{},xt(wt.pin),"Probe",this.count,R("span",{class:"hint"},"click the surface to pin a point")),a,this.body),this.element.addEventListener("toggle",()=>this.unfolded()),e.subscribe((o,l)=>{o.pins.length>l.pins.length&&(this.element.open=!0),(o.pins!==l.pins||o.model!==l.model&&o.pins.length)&&this.refresh(o)})}store;unfolded;element;body=R("div",{class:"probe-body"});count=R("span",{class:"badge"});all=!1;u=.5;v=.5;add(){let{pins:e,patch:t}=this.store.state;this.store.set({pins:[...e,{patch:t,u:this.u,v:this.v}]})}columns(){return(this.all?Un.map(t=>t.key):["point",...zp]).flatMap(t=>{let n=dt[t];return n.components===1?[{q:n,part:0,head:n.symbol}]:["x","y","z"].map((s,r)=>({q:n,part:r,head:t==="point"?s:`${n.symbol} ${s}`}))})}refresh(e){if(this.count.textContent=e.pins.length?String(e.pins.length):"",!e.pins.length){this.body.replaceChildren();return}let t=e.model.patches.length>1,n=this.columns(),s=R("tr",{},R("th",{},"#"),t?R("th",{},"patch"):null,R("th",{},R("i",{class:"math"},"u")),R("th",{},R("i",{class:"math"},"v")),...n.map(({q:a,head:o})=>R("th",{title:At(a.name)},a.components===1?a.colour==="classes"?At(a.name):kn(a.latex):R("i",{class:"math"},o),Bn(a,e.model.unit)?R("span",{class:"unit"},Bn(a,e.model.unit)):null)),R("th",{})),r=e.pins.map((a,o)=>{let l=hr(e.model,a),c=it(xt(wt.close),`Remove pin ${o+1}`,()=>this.store.set({pins:e.pins.filter(h=>h!==a)}),"tiny");return R("tr",{},R("td",{},R("span",{class:"pin-number"},o+1)),t?R("td",{},e.model.patches[a.patch].name):null,R("td",{},pt(a.u)),R("td",{},pt(a.v)),...n.map(({q:h,part:f})=>R("td",{class:h.colour==="classes"?"word":""},ya(h,l[h.key][f]))),R("td",{},c))});this.body.replaceChildren(R("table",{},R("thead",{},s),R("tbody",{},...r)))}save(){let{model:e,pins:t}=this.store.state,n=Un.flatMap(l=>Array.from({length:l.components},(c,h)=>({q:l,part:h}))),s=({q:l,part:c})=>l.components===1?l.key:`${l.key}_${"xyz"[c]}`,r=n.map(({q:l})=>[l.key,Bn(l,e.unit)]).filter(([,l])=>l),a=l=>/[",\n]/.test(l)?`"${l.replaceAll('"','""')}"`:l,o=[`# ${e.name.replaceAll(`
+`," ")}: normal along S_u x S_v, against it on flipped patches`,...r.length?[`# Units: ${[...new Map(r)].map(([l,c])=>`${l} in ${c}`).join(", ")}`]:[],["patch","u","v",...n.map(s)].join(","),...t.map(l=>{let c=hr(e,l),h=({q:f,part:d})=>{let u=c[f.key][d];return f.colour==="classes"?a(f.classes[u]):Number.isNaN(u)?"":String(u)};return[a(e.patches[l.patch].name),l.u,l.v,...n.map(h)].join(",")})];jn(`${Fn(e.name)}_probe.csv`,`${o.join(`
+`)}
+`,"text/csv")}};var ec="http://www.w3.org/2000/svg",Vp=["x","y","z"],_a=class{constructor(e,t,n){this.stage=t;let s=(r,a,o)=>it(a,o,()=>{t.view(r,ar()),n.redraw()},"button view-button");this.projection=xn("Projection",[{value:"perspective",label:"Perspective"},{value:"orthographic",label:"Parallel",title:"Orthographic: lengths in the plane of the picture are true"}],r=>e.setting({projection:r})),this.triad.setAttribute("viewBox","-32 -32 64 64"),this.triad.setAttribute("class","triad"),this.triad.setAttribute("aria-hidden","true"),this.element.append(this.cells,this.marks,this.tip,this.triad,R("div",{class:"view-tools",role:"toolbar","aria-label":"View"},s("iso","Oblique","Oblique view (1)"),s("top","Top","Top view, along −z (2)"),s("side","Side","Side view, along +y (3)"),s("back","Back","Back view, along −x (4)"),it(xt(wt.fit),"Fit (F)",n.fit,"button square"),this.projection.element))}stage;element=R("div",{class:"hud"});cells=R("div",{class:"cells"});marks=R("div",{class:"marks-layer"});tip=R("div",{class:"tip",hidden:!0,role:"status"});triad=document.createElementNS(ec,"svg");projection;labels(e){this.cells.replaceChildren(...this.stage.cells.map((t,n)=>{let s=R("div",{class:"cell"},e[n]?R("span",{class:"cell-label"},e[n]):null);return Object.assign(s.style,{left:`${t.x}px`,top:`${t.y}px`,width:`${t.width}px`,height:`${t.height}px`}),s}))}refresh(e,t,n){this.projection.update(e.settings.projection),this.drawTriad();let s=[],r=(l,c,h)=>{let f=this.stage.project(l,gi(t,c)),d=this.stage.cells[l];f.x<d.x||f.x>d.x+d.width||f.y<d.y||f.y>d.y+d.height||(h.style.transform=`translate(${f.x.toFixed(1)}px, ${f.y.toFixed(1)}px)`,s.push(h))},a=this.mainCell(e);e.pins.forEach((l,c)=>{l.patch<e.model.patches.length&&r(a,Array.from(hr(e.model,l).point),R("span",{class:"pin"},R("b",{},c+1)))});let o=e.model.unit?` ${e.model.unit}`:"";for(let{cell:l,at:c}of n)r(l,c.point,R("span",{class:"sharpest"},R("b",{},"r",R("sub",{},"min"),` = ${pt(c.radius)}${o}`)));this.marks.replaceChildren(...s),this.showTip(e)}mainCell(e){return e.compare==="before"?Math.min(1,this.stage.cells.length-1):0}showTip(e){let{hover:t}=e;if(!t||t.patch>=e.model.patches.length)return void(this.tip.hidden=!0);let n=this.stage.cells[t.cell]?.pieces[t.patch];if(!n?.patch)return void(this.tip.hidden=!0);let s=hr({...e.model,patches:[n.patch]},{...t,patch:0}),r=[...new Set([e.settings.quantity==="none"?"gaussian":e.settings.quantity,"gaussian","mean","hk_type","shape_class"])],a=(d,u,p="")=>R("tr",{},R("th",{},d),R("td",{},u,p?R("span",{class:"unit"},p):null)),o=s.point;this.tip.replaceChildren(R("div",{class:"tip-title"},`u = ${pt(t.u)}, v = ${pt(t.v)}`),R("div",{class:"tip-point"},`(${Array.from(o,d=>pt(d)).join(", ")})${e.model.unit?` ${e.model.unit}`:""}`),R("table",{},...r.map(d=>{let u=dt[d];return a(u.colour==="classes"?u.name:kn(u.latex),ya(u,s[d][0]),Bn(u,e.model.unit))}))),this.tip.hidden=!1;let l=this.element.getBoundingClientRect(),c=this.tip.getBoundingClientRect(),h=t.x+18+c.width>l.width?t.x-18-c.width:t.x+18,f=Math.min(Math.max(6,t.y+14),l.height-c.height-6);this.tip.style.transform=`translate(${Math.round(h)}px, ${Math.round(f)}px)`}drawTriad(){let{right:e,up:t,towards:n}=this.stage.orbit.axes(),s=Vp.map((r,a)=>{let o=l=>[l.x,l.y,l.z][a];return{name:r,x:20*o(e),y:-20*o(t),depth:o(n)}}).sort((r,a)=>r.depth-a.depth);this.triad.replaceChildren(...s.flatMap(({name:r,x:a,y:o})=>{let l=document.createElementNS(ec,"line"),c=document.createElementNS(ec,"text");return l.setAttribute("x2",String(a)),l.setAttribute("y2",String(o)),l.setAttribute("class",`axis-${r}`),c.setAttribute("x",String(a*1.32)),c.setAttribute("y",String(o*1.32)),c.textContent=r,[l,c]}))}};var Md=0,Rc=1,wd=2;var Or=1,Ad=2,Fs=3,Pi=0,$t=1,bn=2,Ki=0,Us=1,Pc=2,Ic=3,Lc=4,Td=5;var ji=100,Ed=101,Cd=102,Rd=103,Pd=104,Id=200,Ld=201,Nd=202,Dd=203,Nc=204,Dc=205,Fd=206,Ud=207,Od=208,kd=209,Bd=210,zd=211,Vd=212,Hd=213,Gd=214,Xa=0,qa=1,$a=2,Es=3,Ya=4,Ja=5,Za=6,Ka=7,Fc=0,Wd=1,Xd=2,Wn=0,Uc=1,Oc=2,kc=3,Bc=4,zc=5,Vc=6,Hc=7;var Gc=300,Qi=301,Os=302,wo=303,Ao=304,ja=1e3,Vn=1001,Qa=1002,_t=1003,qd=1004;var kr=1005;var Ut=1006,To=1007;var hi=1008;var Yt=1009,Wc=1010,Xc=1011,ks=1012,Eo=1013,In=1014,hn=1015,Ln=1016,Co=1017,Ro=1018,es=1020,qc=35902,$c=35899,Yc=1021,Jc=1022,un=1023,li=1026,ui=1027,Br=1028,Po=1029,Ii=1030,Io=1031;var Lo=1033,zr=33776,Vr=33777,Hr=33778,Gr=33779,No=35840,Do=35841,Fo=35842,Uo=35843,Oo=36196,ko=37492,Bo=37496,zo=37488,Vo=37489,Wr=37490,Ho=37491,Go=37808,Wo=37809,Xo=37810,qo=37811,$o=37812,Yo=37813,Jo=37814,Zo=37815,Ko=37816,jo=37817,Qo=37818,el=37819,tl=37820,nl=37821,il=36492,sl=36494,rl=36495,al=36283,ol=36284,Xr=36285,ll=36286;var gr=2300,eo=2301,Ga=2302,Sc=2303,Mc=2400,wc=2401,Ac=2402;var $d=3200;var Zc=0,Yd=1,di="",an="srgb",xr="srgb-linear",yr="linear",Ze="srgb";var Wa=7680;var Jd=519,Zd=512,Kd=513,jd=514,Kc=515,Qd=516,ef=517,jc=518,Qc=519,eh=35044,Bs=35048;var Li="300 es",vn=2e3,vr=2001;function Hp(i){for(let e=i.length-1;e>=0;--e)if(i[e]>=65535)return!0;return!1}function Gp(i){return ArrayBuffer.isView(i)&&!(i instanceof DataView)}function _r(i){return document.createElementNS("http://www.w3.org/1999/xhtml",i)}function tf(){let i=_r("canvas");return i.style.display="block",i}var Qu={},Cs=null;function br(...i){let e="THREE."+i.shift();Cs?Cs("log",e,...i):console.log(e,...i)}function nf(i){let e=i[0];if(typeof e=="string"&&e.startsWith("TSL:")){let t=i[1];t&&t.isStackTrace?i[0]+=" "+t.getLocation():i[1]='Stack trace not available. Enable "THREE.Node.captureStackTrace" to capture stack traces.'}return i}function Pe(...i){i=nf(i);let e="THREE."+i.shift();if(Cs)Cs("warn",e,...i);else{let t=i[0];t&&t.isStackTrace?console.warn(t.getError(e)):console.warn(e,...i)}}function Le(...i){i=nf(i);let e="THREE."+i.shift();if(Cs)Cs("error",e,...i);else{let t=i[0];t&&t.isStackTrace?console.error(t.getError(e)):console.error(e,...i)}}function mr(...i){let e=i.join(" ");e in Qu||(Qu[e]=!0,Pe(...i))}function sf(i,e,t){return new Promise(function(n,s){function r(){switch(i.clientWaitSync(e,i.SYNC_FLUSH_COMMANDS_BIT,0)){case i.WAIT_FAILED:s();break;case i.TIMEOUT_EXPIRED:setTimeout(r,t);break;default:n()}}setTimeout(r,t)})}var rf={[Xa]:Xa,[$a]:Za,[Ya]:Ya,[Es]:Ja,[qa]:qa,[Za]:$a,[Ka]:Ka,[Ja]:Es},Hn=class{addEventListener(e,t){this._listeners===void 0&&(this._listeners={});let n=this._listeners;n[e]===void 0&&(n[e]=[]),n[e].indexOf(t)===-1&&n[e].push(t)}hasEventListener(e,t){let n=this._listeners;return n===void 0?!1:n[e]!==void 0&&n[e].indexOf(t)!==-1}removeEventListener(e,t){let n=this._listeners;if(n===void 0)return;let s=n[e];if(s!==void 0){let r=s.indexOf(t);r!==-1&&s.splice(r,1)}}dispatchEvent(e){let t=this._listeners;if(t===void 0)return;let n=t[e.type];if(n!==void 0){e.target=this;let s=n.slice(0);for(let r=0,a=s.length;r<a;r++)s[r].call(this,e);e.target=null}}},Bt=["00","01","02","03","04","05","06","07","08","09","0a","0b","0c","0d","0e","0f","10","11","12","13","14","15","16","17","18","19","1a","1b","1c","1d","1e","1f","20","21","22","23","24","25","26","27","28","29","2a","2b","2c","2d","2e","2f","30","31","32","33","34","35","36","37","38","39","3a","3b","3c","3d","3e","3f","40","41","42","43","44","45","46","47","48","49","4a","4b","4c","4d","4e","4f","50","51","52","53","54","55","56","57","58","59","5a","5b","5c","5d","5e","5f","60","61","62","63","64","65","66","67","68","69","6a","6b","6c","6d","6e","6f","70","71","72","73","74","75","76","77","78","79","7a","7b","7c","7d","7e","7f","80","81","82","83","84","85","86","87","88","89","8a","8b","8c","8d","8e","8f","90","91","92","93","94","95","96","97","98","99","9a","9b","9c","9d","9e","9f","a0","a1","a2","a3","a4","a5","a6","a7","a8","a9","aa","ab","ac","ad","ae","af","b0","b1","b2","b3","b4","b5","b6","b7","b8","b9","ba","bb","bc","bd","be","bf","c0","c1","c2","c3","c4","c5","c6","c7","c8","c9","ca","cb","cc","cd","ce","cf","d0","d1","d2","d3","d4","d5","d6","d7","d8","d9","da","db","dc","dd","de","df","e0","e1","e2","e3","e4","e5","e6","e7","e8","e9","ea","eb","ec","ed","ee","ef","f0","f1","f2","f3","f4","f5","f6","f7","f8","f9","fa","fb","fc","fd","fe","ff"];var tc=Math.PI/180,to=180/Math.PI;function ts(){let i=Math.random()*4294967295|0,e=Math.random()*4294967295|0,t=Math.random()*4294967295|0,n=Math.random()*4294967295|0;return(Bt[i&255]+Bt[i>>8&255]+Bt[i>>16&255]+Bt[i>>24&255]+"-"+Bt[e&255]+Bt[e>>8&255]+"-"+Bt[e>>16&15|64]+Bt[e>>24&255]+"-"+Bt[t&63|128]+Bt[t>>8&255]+"-"+Bt[t>>16&255]+Bt[t>>24&255]+Bt[n&255]+Bt[n>>8&255]+Bt[n>>16&255]+Bt[n>>24&255]).toLowerCase()}function qe(i,e,t){return Math.max(e,Math.min(t,i))}function Wp(i,e){return(i%e+e)%e}function nc(i,e,t){return(1-t)*i+t*e}function af(i){return Math.pow(2,Math.floor(Math.log(i)/Math.LN2))}function cl(i){switch(i.constructor){case Uint32Array:return 4294967295;case Uint16Array:return 65535;case Uint8Array:case Uint8ClampedArray:return 255;case Int32Array:return 2147483647;case Int16Array:return 32767;case Int8Array:return 127;default:return}}function of(i,e){if(e.constructor===Float32Array)return i;let t=cl(e);if(t===void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.max(i/t,-1)}function lf(i,e){if(e.constructor===Float32Array)return i;let t=cl(e);if(t===void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.round(i*t)}var Ve=class{static{this.prototype.isVector2=!0}constructor(e=0,t=0){this.x=e,this.y=t}get width(){return this.x}set width(e){this.x=e}get height(){return this.y}set height(e){this.y=e}set(e,t){return this.x=e,this.y=t,this}setScalar(e){return this.x=e,this.y=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;default:throw new Error("THREE.Vector2: index is out of range: "+e)}return this}getComponent(e){switch(e){case 0:return this.x;case 1:return this.y;default:throw new Error("THREE.Vector2: index is out of range: "+e)}}clone(){return new this.constructor(this.x,this.y)}copy(e){return this.x=e.x,this.y=e.y,this}add(e){return this.x+=e.x,this.y+=e.y,this}addScalar(e){return this.x+=e,this.y+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this}addScaledVector(e,t){return this.x+=e.x*t,this.y+=e.y*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this}subScalar(e){return this.x-=e,this.y-=e,this}subVectors(e,t){return this.x=e.x-t.x,this.y=e.y-t.y,this}multiply(e){return this.x*=e.x,this.y*=e.y,this}multiplyScalar(e){return this.x*=e,this.y*=e,this}divide(e){return this.x/=e.x,this.y/=e.y,this}divideScalar(e){return this.multiplyScalar(1/e)}applyMatrix3(e){let t=this.x,n=this.y,s=e.elements;return this.x=s[0]*t+s[3]*n+s[6],this.y=s[1]*t+s[4]*n+s[7],this}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this}clamp(e,t){return this.x=qe(this.x,e.x,t.x),this.y=qe(this.y,e.y,t.y),this}clampScalar(e,t){return this.x=qe(this.x,e,t),this.y=qe(this.y,e,t),this}clampLength(e,t){let n=this.length();return this.divideScalar(n||1).multiplyScalar(qe(n,e,t))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this}negate(){return this.x=-this.x,this.y=-this.y,this}dot(e){return this.x*e.x+this.y*e.y}cross(e){return this.x*e.y-this.y*e.x}lengthSq(){return this.x*this.x+this.y*this.y}length(){return Math.sqrt(this.x*this.x+this.y*this.y)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)}normalize(){return this.divideScalar(this.length()||1)}angle(){return Math.atan2(-this.y,-this.x)+Math.PI}angleTo(e){let t=Math.sqrt(this.lengthSq()*e.lengthSq());if(t===0)return Math.PI/2;let n=this.dot(e)/t;return Math.acos(qe(n,-1,1))}distanceTo(e){return Math.sqrt(this.distanceToSquared(e))}distanceToSquared(e){let t=this.x-e.x,n=this.y-e.y;return t*t+n*n}manhattanDistanceTo(e){return Math.abs(this.x-e.x)+Math.abs(this.y-e.y)}setLength(e){return this.normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this}lerpVectors(e,t,n){return this.x=e.x+(t.x-e.x)*n,this.y=e.y+(t.y-e.y)*n,this}equals(e){return e.x===this.x&&e.y===this.y}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this}rotateAround(e,t){let n=Math.cos(t),s=Math.sin(t),r=this.x-e.x,a=this.y-e.y;return this.x=r*n-a*s+e.x,this.y=r*s+a*n+e.y,this}random(){return this.x=Math.random(),this.y=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y}},Gn=class{constructor(e=0,t=0,n=0,s=1){this.isQuaternion=!0,this._x=e,this._y=t,this._z=n,this._w=s}static slerpFlat(e,t,n,s,r,a,o){let l=n[s+0],c=n[s+1],h=n[s+2],f=n[s+3],d=r[a+0],u=r[a+1],p=r[a+2],v=r[a+3];if(f!==v||l!==d||c!==u||h!==p){let g=l*d+c*u+h*p+f*v;g<0&&(d=-d,u=-u,p=-p,v=-v,g=-g);let m=1-o;if(g<.9995){let _=Math.acos(g),E=Math.sin(_);m=Math.sin(m*_)/E,o=Math.sin(o*_)/E,l=l*m+d*o,c=c*m+u*o,h=h*m+p*o,f=f*m+v*o}else{l=l*m+d*o,c=c*m+u*o,h=h*m+p*o,f=f*m+v*o;let _=1/Math.sqrt(l*l+c*c+h*h+f*f);l*=_,c*=_,h*=_,f*=_}}e[t]=l,e[t+1]=c,e[t+2]=h,e[t+3]=f}static multiplyQuaternionsFlat(e,t,n,s,r,a){let o=n[s],l=n[s+1],c=n[s+2],h=n[s+3],f=r[a],d=r[a+1],u=r[a+2],p=r[a+3];return e[t]=o*p+h*f+l*u-c*d,e[t+1]=l*p+h*d+c*f-o*u,e[t+2]=c*p+h*u+o*d-l*f,e[t+3]=h*p-o*f-l*d-c*u,e}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){return this._z}set z(e){this._z=e,this._onChangeCallback()}get w(){return this._w}set w(e){this._w=e,this._onChangeCallback()}set(e,t,n,s){return this._x=e,this._y=t,this._z=n,this._w=s,this._onChangeCallback(),this}clone(){return new this.constructor(this._x,this._y,this._z,this._w)}copy(e){return this._x=e.x,this._y=e.y,this._z=e.z,this._w=e.w,this._onChangeCallback(),this}setFromEuler(e,t=!0){let n=e._x,s=e._y,r=e._z,a=e._order,o=Math.cos,l=Math.sin,c=o(n/2),h=o(s/2),f=o(r/2),d=l(n/2),u=l(s/2),p=l(r/2);switch(a){case"XYZ":this._x=d*h*f+c*u*p,this._y=c*u*f-d*h*p,this._z=c*h*p+d*u*f,this._w=c*h*f-d*u*p;break;case"YXZ":this._x=d*h*f+c*u*p,this._y=c*u*f-d*h*p,this._z=c*h*p-d*u*f,this._w=c*h*f+d*u*p;break;case"ZXY":this._x=d*h*f-c*u*p,this._y=c*u*f+d*h*p,this._z=c*h*p+d*u*f,this._w=c*h*f-d*u*p;break;case"ZYX":this._x=d*h*f-c*u*p,this._y=c*u*f+d*h*p,this._z=c*h*p-d*u*f,this._w=c*h*f+d*u*p;break;case"YZX":this._x=d*h*f+c*u*p,this._y=c*u*f+d*h*p,this._z=c*h*p-d*u*f,this._w=c*h*f-d*u*p;break;case"XZY":this._x=d*h*f-c*u*p,this._y=c*u*f-d*h*p,this._z=c*h*p+d*u*f,this._w=c*h*f+d*u*p;break;default:Pe("Quaternion: .setFromEuler() encountered an unknown order: "+a)}return t===!0&&this._onChangeCallback(),this}setFromAxisAngle(e,t){let n=t/2,s=Math.sin(n);return this._x=e.x*s,this._y=e.y*s,this._z=e.z*s,this._w=Math.cos(n),this._onChangeCallback(),this}setFromRotationMatrix(e){let t=e.elements,n=t[0],s=t[4],r=t[8],a=t[1],o=t[5],l=t[9],c=t[2],h=t[6],f=t[10],d=n+o+f;if(d>0){let u=.5/Math.sqrt(d+1);this._w=.25/u,this._x=(h-l)*u,this._y=(r-c)*u,this._z=(a-s)*u}else if(n>o&&n>f){let u=2*Math.sqrt(1+n-o-f);this._w=(h-l)/u,this._x=.25*u,this._y=(s+a)/u,this._z=(r+c)/u}else if(o>f){let u=2*Math.sqrt(1+o-n-f);this._w=(r-c)/u,this._x=(s+a)/u,this._y=.25*u,this._z=(l+h)/u}else{let u=2*Math.sqrt(1+f-n-o);this._w=(a-s)/u,this._x=(r+c)/u,this._y=(l+h)/u,this._z=.25*u}return this._onChangeCallback(),this}setFromUnitVectors(e,t){let n=e.dot(t)+1;return n<1e-8?(n=0,Math.abs(e.x)>Math.abs(e.z)?(this._x=-e.y,this._y=e.x,this._z=0,this._w=n):(this._x=0,this._y=-e.z,this._z=e.y,this._w=n)):(this._x=e.y*t.z-e.z*t.y,this._y=e.z*t.x-e.x*t.z,this._z=e.x*t.y-e.y*t.x,this._w=n),this.normalize()}angleTo(e){return 2*Math.acos(Math.abs(qe(this.dot(e),-1,1)))}rotateTowards(e,t){let n=this.angleTo(e);if(n===0)return this;let s=Math.min(1,t/n);return this.slerp(e,s),this}identity(){return this.set(0,0,0,1)}invert(){return this.conjugate()}conjugate(){return this._x*=-1,this._y*=-1,this._z*=-1,this._onChangeCallback(),this}dot(e){return this._x*e._x+this._y*e._y+this._z*e._z+this._w*e._w}lengthSq(){return this._x*this._x+this._y*this._y+this._z*this._z+this._w*this._w}length(){return Math.sqrt(this._x*this._x+this._y*this._y+this._z*this._z+this._w*this._w)}normalize(){let e=this.length();return e===0?(this._x=0,this._y=0,this._z=0,this._w=1):(e=1/e,this._x=this._x*e,this._y=this._y*e,this._z=this._z*e,this._w=this._w*e),this._onChangeCallback(),this}multiply(e){return this.multiplyQuaternions(this,e)}premultiply(e){return this.multiplyQuaternions(e,this)}multiplyQuaternions(e,t){let n=e._x,s=e._y,r=e._z,a=e._w,o=t._x,l=t._y,c=t._z,h=t._w;return this._x=n*h+a*o+s*c-r*l,this._y=s*h+a*l+r*o-n*c,this._z=r*h+a*c+n*l-s*o,this._w=a*h-n*o-s*l-r*c,this._onChangeCallback(),this}slerp(e,t){let n=e._x,s=e._y,r=e._z,a=e._w,o=this.dot(e);o<0&&(n=-n,s=-s,r=-r,a=-a,o=-o);let l=1-t;if(o<.9995){let c=Math.acos(o),h=Math.sin(c);l=Math.sin(l*c)/h,t=Math.sin(t*c)/h,this._x=this._x*l+n*t,this._y=this._y*l+s*t,this._z=this._z*l+r*t,this._w=this._w*l+a*t,this._onChangeCallback()}else this._x=this._x*l+n*t,this._y=this._y*l+s*t,this._z=this._z*l+r*t,this._w=this._w*l+a*t,this.normalize();return this}slerpQuaternions(e,t,n){return this.copy(e).slerp(t,n)}random(){let e=2*Math.PI*Math.random(),t=2*Math.PI*Math.random(),n=Math.random(),s=Math.sqrt(1-n),r=Math.sqrt(n);return this.set(s*Math.sin(e),s*Math.cos(e),r*Math.sin(t),r*Math.cos(t))}equals(e){return e._x===this._x&&e._y===this._y&&e._z===this._z&&e._w===this._w}fromArray(e,t=0){return this._x=e[t],this._y=e[t+1],this._z=e[t+2],this._w=e[t+3],this._onChangeCallback(),this}toArray(e=[],t=0){return e[t]=this._x,e[t+1]=this._y,e[t+2]=this._z,e[t+3]=this._w,e}fromBufferAttribute(e,t){return this._x=e.getX(t),this._y=e.getY(t),this._z=e.getZ(t),this._w=e.getW(t),this._onChangeCallback(),this}toJSON(){return this.toArray()}_onChange(e){return this._onChangeCallback=e,this}_onChangeCallback(){}*[Symbol.iterator](){yield this._x,yield this._y,yield this._z,yield this._w}},O=class{static{this.prototype.isVector3=!0}constructor(e=0,t=0,n=0){this.x=e,this.y=t,this.z=n}set(e,t,n){return n===void 0&&(n=this.z),this.x=e,this.y=t,this.z=n,this}setScalar(e){return this.x=e,this.y=e,this.z=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,this}setZ(e){return this.z=e,this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;case 2:this.z=t;break;default:throw new Error("THREE.Vector3: index is out of range: "+e)}return this}getComponent(e){switch(e){case 0:return this.x;case 1:return this.y;case 2:return this.z;default:throw new Error("THREE.Vector3: index is out of range: "+e)}}clone(){return new this.constructor(this.x,this.y,this.z)}copy(e){return this.x=e.x,this.y=e.y,this.z=e.z,this}add(e){return this.x+=e.x,this.y+=e.y,this.z+=e.z,this}addScalar(e){return this.x+=e,this.y+=e,this.z+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this.z=e.z+t.z,this}addScaledVector(e,t){return this.x+=e.x*t,this.y+=e.y*t,this.z+=e.z*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this.z-=e.z,this}subScalar(e){return this.x-=e,this.y-=e,this.z-=e,this}subVectors(e,t){return this.x=e.x-t.x,this.y=e.y-t.y,this.z=e.z-t.z,this}multiply(e){return this.x*=e.x,this.y*=e.y,this.z*=e.z,this}multiplyScalar(e){return this.x*=e,this.y*=e,this.z*=e,this}multiplyVectors(e,t){return this.x=e.x*t.x,this.y=e.y*t.y,this.z=e.z*t.z,this}applyEuler(e){return this.applyQuaternion(ed.setFromEuler(e))}applyAxisAngle(e,t){return this.applyQuaternion(ed.setFromAxisAngle(e,t))}applyMatrix3(e){let t=this.x,n=this.y,s=this.z,r=e.elements;return this.x=r[0]*t+r[3]*n+r[6]*s,this.y=r[1]*t+r[4]*n+r[7]*s,this.z=r[2]*t+r[5]*n+r[8]*s,this}applyNormalMatrix(e){return this.applyMatrix3(e).normalize()}applyMatrix4(e){let t=this.x,n=this.y,s=this.z,r=e.elements,a=1/(r[3]*t+r[7]*n+r[11]*s+r[15]);return this.x=(r[0]*t+r[4]*n+r[8]*s+r[12])*a,this.y=(r[1]*t+r[5]*n+r[9]*s+r[13])*a,this.z=(r[2]*t+r[6]*n+r[10]*s+r[14])*a,this}applyQuaternion(e){let t=this.x,n=this.y,s=this.z,r=e.x,a=e.y,o=e.z,l=e.w,c=2*(a*s-o*n),h=2*(o*t-r*s),f=2*(r*n-a*t);return this.x=t+l*c+a*f-o*h,this.y=n+l*h+o*c-r*f,this.z=s+l*f+r*h-a*c,this}project(e){return this.applyMatrix4(e.matrixWorldInverse).applyMatrix4(e.projectionMatrix)}unproject(e){return this.applyMatrix4(e.projectionMatrixInverse).applyMatrix4(e.matrixWorld)}transformDirection(e){let t=this.x,n=this.y,s=this.z,r=e.elements;return this.x=r[0]*t+r[4]*n+r[8]*s,this.y=r[1]*t+r[5]*n+r[9]*s,this.z=r[2]*t+r[6]*n+r[10]*s,this.normalize()}divide(e){return this.x/=e.x,this.y/=e.y,this.z/=e.z,this}divideScalar(e){return this.multiplyScalar(1/e)}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this.z=Math.min(this.z,e.z),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this.z=Math.max(this.z,e.z),this}clamp(e,t){return this.x=qe(this.x,e.x,t.x),this.y=qe(this.y,e.y,t.y),this.z=qe(this.z,e.z,t.z),this}clampScalar(e,t){return this.x=qe(this.x,e,t),this.y=qe(this.y,e,t),this.z=qe(this.z,e,t),this}clampLength(e,t){let n=this.length();return this.divideScalar(n||1).multiplyScalar(qe(n,e,t))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this.z=Math.floor(this.z),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this.z=Math.ceil(this.z),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this.z=Math.round(this.z),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this.z=Math.trunc(this.z),this}negate(){return this.x=-this.x,this.y=-this.y,this.z=-this.z,this}dot(e){return this.x*e.x+this.y*e.y+this.z*e.z}lengthSq(){return this.x*this.x+this.y*this.y+this.z*this.z}length(){return Math.sqrt(this.x*this.x+this.y*this.y+this.z*this.z)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)+Math.abs(this.z)}normalize(){return this.divideScalar(this.length()||1)}setLength(e){return this.normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this.z+=(e.z-this.z)*t,this}lerpVectors(e,t,n){return this.x=e.x+(t.x-e.x)*n,this.y=e.y+(t.y-e.y)*n,this.z=e.z+(t.z-e.z)*n,this}cross(e){return this.crossVectors(this,e)}crossVectors(e,t){let n=e.x,s=e.y,r=e.z,a=t.x,o=t.y,l=t.z;return this.x=s*l-r*o,this.y=r*a-n*l,this.z=n*o-s*a,this}projectOnVector(e){let t=e.lengthSq();if(t===0)return this.set(0,0,0);let n=e.dot(this)/t;return this.copy(e).multiplyScalar(n)}projectOnPlane(e){return ic.copy(this).projectOnVector(e),this.sub(ic)}reflect(e){return this.sub(ic.copy(e).multiplyScalar(2*this.dot(e)))}angleTo(e){let t=Math.sqrt(this.lengthSq()*e.lengthSq());if(t===0)return Math.PI/2;let n=this.dot(e)/t;return Math.acos(qe(n,-1,1))}distanceTo(e){return Math.sqrt(this.distanceToSquared(e))}distanceToSquared(e){let t=this.x-e.x,n=this.y-e.y,s=this.z-e.z;return t*t+n*n+s*s}manhattanDistanceTo(e){return Math.abs(this.x-e.x)+Math.abs(this.y-e.y)+Math.abs(this.z-e.z)}setFromSpherical(e){return this.setFromSphericalCoords(e.radius,e.phi,e.theta)}setFromSphericalCoords(e,t,n){let s=Math.sin(t)*e;return this.x=s*Math.sin(n),this.y=Math.cos(t)*e,this.z=s*Math.cos(n),this}setFromCylindrical(e){return this.setFromCylindricalCoords(e.radius,e.theta,e.y)}setFromCylindricalCoords(e,t,n){return this.x=e*Math.sin(t),this.y=n,this.z=e*Math.cos(t),this}setFromMatrixPosition(e){let t=e.elements;return this.x=t[12],this.y=t[13],this.z=t[14],this}setFromMatrixScale(e){let t=this.setFromMatrixColumn(e,0).length(),n=this.setFromMatrixColumn(e,1).length(),s=this.setFromMatrixColumn(e,2).length();return this.x=t,this.y=n,this.z=s,this}setFromMatrixColumn(e,t){return this.fromArray(e.elements,t*4)}setFromMatrix3Column(e,t){return this.fromArray(e.elements,t*3)}setFromEuler(e){return this.x=e._x,this.y=e._y,this.z=e._z,this}setFromColor(e){return this.x=e.r,this.y=e.g,this.z=e.b,this}equals(e){return e.x===this.x&&e.y===this.y&&e.z===this.z}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this.z=e[t+2],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e[t+2]=this.z,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this.z=e.getZ(t),this}random(){return this.x=Math.random(),this.y=Math.random(),this.z=Math.random(),this}randomDirection(){let e=Math.random()*Math.PI*2,t=Math.random()*2-1,n=Math.sqrt(1-t*t);return this.x=n*Math.cos(e),this.y=t,this.z=n*Math.sin(e),this}*[Symbol.iterator](){yield this.x,yield this.y,yield this.z}},ic=new O,ed=new Gn,De=class{static{this.prototype.isMatrix3=!0}constructor(e,t,n,s,r,a,o,l,c){this.elements=[1,0,0,0,1,0,0,0,1],e!==void 0&&this.set(e,t,n,s,r,a,o,l,c)}set(e,t,n,s,r,a,o,l,c){let h=this.elements;return h[0]=e,h[1]=s,h[2]=o,h[3]=t,h[4]=r,h[5]=l,h[6]=n,h[7]=a,h[8]=c,this}identity(){return this.set(1,0,0,0,1,0,0,0,1),this}copy(e){let t=this.elements,n=e.elements;return t[0]=n[0],t[1]=n[1],t[2]=n[2],t[3]=n[3],t[4]=n[4],t[5]=n[5],t[6]=n[6],t[7]=n[7],t[8]=n[8],this}extractBasis(e,t,n){return e.setFromMatrix3Column(this,0),t.setFromMatrix3Column(this,1),n.setFromMatrix3Column(this,2),this}setFromMatrix4(e){let t=e.elements;return this.set(t[0],t[4],t[8],t[1],t[5],t[9],t[2],t[6],t[10]),this}multiply(e){return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let n=e.elements,s=t.elements,r=this.elements,a=n[0],o=n[3],l=n[6],c=n[1],h=n[4],f=n[7],d=n[2],u=n[5],p=n[8],v=s[0],g=s[3],m=s[6],_=s[1],E=s[4],M=s[7],A=s[2],w=s[5],x=s[8];return r[0]=a*v+o*_+l*A,r[3]=a*g+o*E+l*w,r[6]=a*m+o*M+l*x,r[1]=c*v+h*_+f*A,r[4]=c*g+h*E+f*w,r[7]=c*m+h*M+f*x,r[2]=d*v+u*_+p*A,r[5]=d*g+u*E+p*w,r[8]=d*m+u*M+p*x,this}multiplyScalar(e){let t=this.elements;return t[0]*=e,t[3]*=e,t[6]*=e,t[1]*=e,t[4]*=e,t[7]*=e,t[2]*=e,t[5]*=e,t[8]*=e,this}determinant(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],a=e[4],o=e[5],l=e[6],c=e[7],h=e[8];return t*a*h-t*o*c-n*r*h+n*o*l+s*r*c-s*a*l}invert(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],a=e[4],o=e[5],l=e[6],c=e[7],h=e[8],f=h*a-o*c,d=o*l-h*r,u=c*r-a*l,p=t*f+n*d+s*u;if(p===0)return this.set(0,0,0,0,0,0,0,0,0);let v=1/p;return e[0]=f*v,e[1]=(s*c-h*n)*v,e[2]=(o*n-s*a)*v,e[3]=d*v,e[4]=(h*t-s*l)*v,e[5]=(s*r-o*t)*v,e[6]=u*v,e[7]=(n*l-c*t)*v,e[8]=(a*t-n*r)*v,this}transpose(){let e,t=this.elements;return e=t[1],t[1]=t[3],t[3]=e,e=t[2],t[2]=t[6],t[6]=e,e=t[5],t[5]=t[7],t[7]=e,this}getNormalMatrix(e){return this.setFromMatrix4(e).invert().transpose()}transposeIntoArray(e){let t=this.elements;return e[0]=t[0],e[1]=t[3],e[2]=t[6],e[3]=t[1],e[4]=t[4],e[5]=t[7],e[6]=t[2],e[7]=t[5],e[8]=t[8],this}setUvTransform(e,t,n,s,r,a,o){let l=Math.cos(r),c=Math.sin(r);return this.set(n*l,n*c,-n*(l*a+c*o)+a+e,-s*c,s*l,-s*(-c*a+l*o)+o+t,0,0,1),this}scale(e,t){return mr("Matrix3: .scale() is deprecated. Use .makeScale() instead."),this.premultiply(sc.makeScale(e,t)),this}rotate(e){return mr("Matrix3: .rotate() is deprecated. Use .makeRotation() instead."),this.premultiply(sc.makeRotation(-e)),this}translate(e,t){return mr("Matrix3: .translate() is deprecated. Use .makeTranslation() instead."),this.premultiply(sc.makeTranslation(e,t)),this}makeTranslation(e,t){return e.isVector2?this.set(1,0,e.x,0,1,e.y,0,0,1):this.set(1,0,e,0,1,t,0,0,1),this}makeRotation(e){let t=Math.cos(e),n=Math.sin(e);return this.set(t,-n,0,n,t,0,0,0,1),this}makeScale(e,t){return this.set(e,0,0,0,t,0,0,0,1),this}equals(e){let t=this.elements,n=e.elements;for(let s=0;s<9;s++)if(t[s]!==n[s])return!1;return!0}fromArray(e,t=0){for(let n=0;n<9;n++)this.elements[n]=e[n+t];return this}toArray(e=[],t=0){let n=this.elements;return e[t]=n[0],e[t+1]=n[1],e[t+2]=n[2],e[t+3]=n[3],e[t+4]=n[4],e[t+5]=n[5],e[t+6]=n[6],e[t+7]=n[7],e[t+8]=n[8],e}clone(){return new this.constructor().fromArray(this.elements)}},sc=new De,td=new De().set(.4123908,.3575843,.1804808,.212639,.7151687,.0721923,.0193308,.1191948,.9505322),nd=new De().set(3.2409699,-1.5373832,-.4986108,-.9692436,1.8759675,.0415551,.0556301,-.203977,1.0569715);function Xp(){let i={enabled:!0,workingColorSpace:xr,spaces:{},convert:function(s,r,a){return this.enabled===!1||r===a||!r||!a||(this.spaces[r].transfer===Ze&&(s.r=oi(s.r),s.g=oi(s.g),s.b=oi(s.b)),this.spaces[r].primaries!==this.spaces[a].primaries&&(s.applyMatrix3(this.spaces[r].toXYZ),s.applyMatrix3(this.spaces[a].fromXYZ)),this.spaces[a].transfer===Ze&&(s.r=Ts(s.r),s.g=Ts(s.g),s.b=Ts(s.b))),s},workingToColorSpace:function(s,r){return this.convert(s,this.workingColorSpace,r)},colorSpaceToWorking:function(s,r){return this.convert(s,r,this.workingColorSpace)},getPrimaries:function(s){return this.spaces[s].primaries},getTransfer:function(s){return s===di?yr:this.spaces[s].transfer},getToneMappingMode:function(s){return this.spaces[s].outputColorSpaceConfig.toneMappingMode||"standard"},getLuminanceCoefficients:function(s,r=this.workingColorSpace){return s.fromArray(this.spaces[r].luminanceCoefficients)},define:function(s){Object.assign(this.spaces,s)},_getMatrix:function(s,r,a){return s.copy(this.spaces[a].fromXYZ).multiply(this.spaces[r].toXYZ)},_getDrawingBufferColorSpace:function(s){return this.spaces[s].outputColorSpaceConfig.drawingBufferColorSpace},_getUnpackColorSpace:function(s=this.workingColorSpace){return this.spaces[s].workingColorSpaceConfig.unpackColorSpace}},e=[.64,.33,.3,.6,.15,.06],t=[.2126,.7152,.0722],n=[.3127,.329];return i.define({[xr]:{primaries:e,whitePoint:n,transfer:yr,toXYZ:td,fromXYZ:nd,luminanceCoefficients:t,workingColorSpaceConfig:{unpackColorSpace:an},outputColorSpaceConfig:{drawingBufferColorSpace:an}},[an]:{primaries:e,whitePoint:n,transfer:Ze,toXYZ:td,fromXYZ:nd,luminanceCoefficients:t,outputColorSpaceConfig:{drawingBufferColorSpace:an}}}),i}var Xe=Xp();function oi(i){return i<.04045?i*.0773993808:Math.pow(i*.9478672986+.0521327014,2.4)}function Ts(i){return i<.0031308?i*12.92:1.055*Math.pow(i,.41666)-.055}var fs,no=class{static getDataURL(e,t="image/png"){if(/^data:/i.test(e.src)||typeof HTMLCanvasElement>"u")return e.src;let n;if(e instanceof HTMLCanvasElement)n=e;else{fs===void 0&&(fs=_r("canvas")),fs.width=e.width,fs.height=e.height;let s=fs.getContext("2d");e instanceof ImageData?s.putImageData(e,0,0):s.drawImage(e,0,0,e.width,e.height),n=fs}return n.toDataURL(t)}static sRGBToLinear(e){if(typeof HTMLImageElement<"u"&&e instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&e instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&e instanceof ImageBitmap){let t=_r("canvas");t.width=e.width,t.height=e.height;let n=t.getContext("2d");n.drawImage(e,0,0,e.width,e.height);let s=n.getImageData(0,0,e.width,e.height),r=s.data;for(let a=0;a<r.length;a++)r[a]=oi(r[a]/255)*255;return n.putImageData(s,0,0),t}else if(e.data){let t=e.data.slice(0);for(let n=0;n<t.length;n++)t instanceof Uint8Array||t instanceof Uint8ClampedArray?t[n]=Math.floor(oi(t[n]/255)*255):t[n]=oi(t[n]);return{data:t,width:e.width,height:e.height}}else return Pe("ImageUtils.sRGBToLinear(): Unsupported image type. No color space conversion applied."),e}},qp=0,Rs=class{constructor(e=null){this.isTextureSource=!0,Object.defineProperty(this,"id",{value:qp++}),this.uuid=ts(),this.data=e,this.dataReady=!0,this.version=0}getSize(e){let t=this.data;return typeof HTMLVideoElement<"u"&&t instanceof HTMLVideoElement?e.set(t.videoWidth,t.videoHeight,0):typeof VideoFrame<"u"&&t instanceof VideoFrame?e.set(t.displayWidth,t.displayHeight,0):t!==null?e.set(t.width||0,t.height||0,t.depth||0):e.set(0,0,0),e}set needsUpdate(e){e===!0&&this.version++}toJSON(e){let t=e===void 0||typeof e=="string";if(!t&&e.images[this.uuid]!==void 0)return e.images[this.uuid];let n={uuid:this.uuid,url:""},s=this.data;if(s!==null){let r;if(Array.isArray(s)){r=[];for(let a=0,o=s.length;a<o;a++)s[a].isDataTexture?r.push(rc(s[a].image)):r.push(rc(s[a]))}else r=rc(s);n.url=r}return t||(e.images[this.uuid]=n),n}};function rc(i){return typeof HTMLImageElement<"u"&&i instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&i instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&i instanceof ImageBitmap?no.getDataURL(i):i.data?{data:Array.from(i.data),width:i.width,height:i.height,type:i.data.constructor.name}:(Pe("Texture: Unable to serialize Texture."),{})}var $p=0,ac=new O,jt=class i extends Hn{constructor(e=i.DEFAULT_IMAGE,t=i.DEFAULT_MAPPING,n=Vn,s=Vn,r=Ut,a=hi,o=un,l=Yt,c=i.DEFAULT_ANISOTROPY,h=di){super(),this.isTexture=!0,Object.defineProperty(this,"id",{value:$p++}),this.uuid=ts(),this.name="",this.source=new Rs(e),this.mipmaps=[],this.mapping=t,this.channel=0,this.wrapS=n,this.wrapT=s,this.magFilter=r,this.minFilter=a,this.anisotropy=c,this.format=o,this.internalFormat=null,this.type=l,this.offset=new Ve(0,0),this.repeat=new Ve(1,1),this.center=new Ve(0,0),this.rotation=0,this.matrixAutoUpdate=!0,this.matrix=new De,this.generateMipmaps=!0,this.mipmapsAutoUpdate=!0,this.premultiplyAlpha=!1,this.flipY=!0,this.unpackAlignment=4,this.colorSpace=h,this.userData={},this.updateRanges=[],this.version=0,this.onUpdate=null,this.renderTarget=null,this.isRenderTargetTexture=!1,this.isArrayTexture=!!(e&&e.depth&&e.depth>1),this.pmremVersion=0,this.isPMREMTexture=!1,this.normalized=!1}get width(){return this.source.getSize(ac).x}get height(){return this.source.getSize(ac).y}get depth(){return this.source.getSize(ac).z}get image(){return this.source.data}set image(e){this.source.data=e}updateMatrix(){this.matrix.setUvTransform(this.offset.x,this.offset.y,this.repeat.x,this.repeat.y,this.rotation,this.center.x,this.center.y)}addUpdateRange(e,t){this.updateRanges.push({start:e,count:t})}clearUpdateRanges(){this.updateRanges.length=0}clone(){return new this.constructor().copy(this)}copy(e){return this.name=e.name,this.source=e.source,this.mipmaps=e.mipmaps.slice(0),this.mapping=e.mapping,this.channel=e.channel,this.wrapS=e.wrapS,this.wrapT=e.wrapT,this.magFilter=e.magFilter,this.minFilter=e.minFilter,this.anisotropy=e.anisotropy,this.format=e.format,this.internalFormat=e.internalFormat,this.type=e.type,this.normalized=e.normalized,this.offset.copy(e.offset),this.repeat.copy(e.repeat),this.center.copy(e.center),this.rotation=e.rotation,this.matrixAutoUpdate=e.matrixAutoUpdate,this.matrix.copy(e.matrix),this.generateMipmaps=e.generateMipmaps,this.mipmapsAutoUpdate=e.mipmapsAutoUpdate,this.premultiplyAlpha=e.premultiplyAlpha,this.flipY=e.flipY,this.unpackAlignment=e.unpackAlignment,this.colorSpace=e.colorSpace,this.renderTarget=e.renderTarget,this.isRenderTargetTexture=e.isRenderTargetTexture,this.isPMREMTexture=e.isPMREMTexture,this.isArrayTexture=e.isArrayTexture,this.userData=JSON.parse(JSON.stringify(e.userData)),this.needsUpdate=!0,this}setValues(e){for(let t in e){let n=e[t];if(n===void 0){Pe(`Texture.setValues(): parameter '${t}' has value of undefined.`);continue}let s=this[t];if(s===void 0){Pe(`Texture.setValues(): property '${t}' does not exist.`);continue}s&&n&&s.isVector2&&n.isVector2||s&&n&&s.isVector3&&n.isVector3||s&&n&&s.isMatrix3&&n.isMatrix3?s.copy(n):this[t]=n}}toJSON(e){let t=e===void 0||typeof e=="string";if(!t&&e.textures[this.uuid]!==void 0)return e.textures[this.uuid];let n={metadata:{version:4.7,type:"Texture",generator:"Texture.toJSON"},uuid:this.uuid,name:this.name,image:this.source.toJSON(e).uuid,mapping:this.mapping,channel:this.channel,repeat:[this.repeat.x,this.repeat.y],offset:[this.offset.x,this.offset.y],center:[this.center.x,this.center.y],rotation:this.rotation,wrap:[this.wrapS,this.wrapT],format:this.format,internalFormat:this.internalFormat,type:this.type,normalized:this.normalized,colorSpace:this.colorSpace,minFilter:this.minFilter,magFilter:this.magFilter,anisotropy:this.anisotropy,flipY:this.flipY,generateMipmaps:this.generateMipmaps,mipmapsAutoUpdate:this.mipmapsAutoUpdate,premultiplyAlpha:this.premultiplyAlpha,unpackAlignment:this.unpackAlignment};return Object.keys(this.userData).length>0&&(n.userData=this.userData),t||(e.textures[this.uuid]=n),n}dispose(){this.dispatchEvent({type:"dispose"})}transformUv(e){if(this.mapping!==Gc)return e;if(e.applyMatrix3(this.matrix),e.x<0||e.x>1)switch(this.wrapS){case ja:e.x=e.x-Math.floor(e.x);break;case Vn:e.x=e.x<0?0:1;break;case Qa:Math.abs(Math.floor(e.x)%2)===1?e.x=Math.ceil(e.x)-e.x:e.x=e.x-Math.floor(e.x);break}if(e.y<0||e.y>1)switch(this.wrapT){case ja:e.y=e.y-Math.floor(e.y);break;case Vn:e.y=e.y<0?0:1;break;case Qa:Math.abs(Math.floor(e.y)%2)===1?e.y=Math.ceil(e.y)-e.y:e.y=e.y-Math.floor(e.y);break}return this.flipY&&(e.y=1-e.y),e}set needsUpdate(e){e===!0&&(this.version++,this.source.needsUpdate=!0)}set needsPMREMUpdate(e){e===!0&&this.pmremVersion++}};jt.DEFAULT_IMAGE=null;jt.DEFAULT_MAPPING=Gc;jt.DEFAULT_ANISOTROPY=1;var et=class{static{this.prototype.isVector4=!0}constructor(e=0,t=0,n=0,s=1){this.x=e,this.y=t,this.z=n,this.w=s}get width(){return this.z}set width(e){this.z=e}get height(){return this.w}set height(e){this.w=e}set(e,t,n,s){return this.x=e,this.y=t,this.z=n,this.w=s,this}setScalar(e){return this.x=e,this.y=e,this.z=e,this.w=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,this}setZ(e){return this.z=e,this}setW(e){return this.w=e,this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;case 2:this.z=t;break;case 3:this.w=t;break;default:throw new Error("THREE.Vector4: index is out of range: "+e)}return this}getComponent(e){switch(e){case 0:return this.x;case 1:return this.y;case 2:return this.z;case 3:return this.w;default:throw new Error("THREE.Vector4: index is out of range: "+e)}}clone(){return new this.constructor(this.x,this.y,this.z,this.w)}copy(e){return this.x=e.x,this.y=e.y,this.z=e.z,this.w=e.w!==void 0?e.w:1,this}add(e){return this.x+=e.x,this.y+=e.y,this.z+=e.z,this.w+=e.w,this}addScalar(e){return this.x+=e,this.y+=e,this.z+=e,this.w+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this.z=e.z+t.z,this.w=e.w+t.w,this}addScaledVector(e,t){return this.x+=e.x*t,this.y+=e.y*t,this.z+=e.z*t,this.w+=e.w*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this.z-=e.z,this.w-=e.w,this}subScalar(e){return this.x-=e,this.y-=e,this.z-=e,this.w-=e,this}subVectors(e,t){return this.x=e.x-t.x,this.y=e.y-t.y,this.z=e.z-t.z,this.w=e.w-t.w,this}multiply(e){return this.x*=e.x,this.y*=e.y,this.z*=e.z,this.w*=e.w,this}multiplyScalar(e){return this.x*=e,this.y*=e,this.z*=e,this.w*=e,this}applyMatrix4(e){let t=this.x,n=this.y,s=this.z,r=this.w,a=e.elements;return this.x=a[0]*t+a[4]*n+a[8]*s+a[12]*r,this.y=a[1]*t+a[5]*n+a[9]*s+a[13]*r,this.z=a[2]*t+a[6]*n+a[10]*s+a[14]*r,this.w=a[3]*t+a[7]*n+a[11]*s+a[15]*r,this}divide(e){return this.x/=e.x,this.y/=e.y,this.z/=e.z,this.w/=e.w,this}divideScalar(e){return this.multiplyScalar(1/e)}setAxisAngleFromQuaternion(e){this.w=2*Math.acos(e.w);let t=Math.sqrt(1-e.w*e.w);return t<1e-4?(this.x=1,this.y=0,this.z=0):(this.x=e.x/t,this.y=e.y/t,this.z=e.z/t),this}setAxisAngleFromRotationMatrix(e){let t,n,s,r,l=e.elements,c=l[0],h=l[4],f=l[8],d=l[1],u=l[5],p=l[9],v=l[2],g=l[6],m=l[10];if(Math.abs(h-d)<.01&&Math.abs(f-v)<.01&&Math.abs(p-g)<.01){if(Math.abs(h+d)<.1&&Math.abs(f+v)<.1&&Math.abs(p+g)<.1&&Math.abs(c+u+m-3)<.1)return this.set(1,0,0,0),this;t=Math.PI;let E=(c+1)/2,M=(u+1)/2,A=(m+1)/2,w=(h+d)/4,x=(f+v)/4,S=(p+g)/4;return E>M&&E>A?E<.01?(n=0,s=.707106781,r=.707106781):(n=Math.sqrt(E),s=w/n,r=x/n):M>A?M<.01?(n=.707106781,s=0,r=.707106781):(s=Math.sqrt(M),n=w/s,r=S/s):A<.01?(n=.707106781,s=.707106781,r=0):(r=Math.sqrt(A),n=x/r,s=S/r),this.set(n,s,r,t),this}let _=Math.sqrt((g-p)*(g-p)+(f-v)*(f-v)+(d-h)*(d-h));return Math.abs(_)<.001&&(_=1),this.x=(g-p)/_,this.y=(f-v)/_,this.z=(d-h)/_,this.w=Math.acos((c+u+m-1)/2),this}setFromMatrixPosition(e){let t=e.elements;return this.x=t[12],this.y=t[13],this.z=t[14],this.w=t[15],this}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this.z=Math.min(this.z,e.z),this.w=Math.min(this.w,e.w),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this.z=Math.max(this.z,e.z),this.w=Math.max(this.w,e.w),this}clamp(e,t){return this.x=qe(this.x,e.x,t.x),this.y=qe(this.y,e.y,t.y),this.z=qe(this.z,e.z,t.z),this.w=qe(this.w,e.w,t.w),this}clampScalar(e,t){return this.x=qe(this.x,e,t),this.y=qe(this.y,e,t),this.z=qe(this.z,e,t),this.w=qe(this.w,e,t),this}clampLength(e,t){let n=this.length();return this.divideScalar(n||1).multiplyScalar(qe(n,e,t))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this.z=Math.floor(this.z),this.w=Math.floor(this.w),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this.z=Math.ceil(this.z),this.w=Math.ceil(this.w),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this.z=Math.round(this.z),this.w=Math.round(this.w),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this.z=Math.trunc(this.z),this.w=Math.trunc(this.w),this}negate(){return this.x=-this.x,this.y=-this.y,this.z=-this.z,this.w=-this.w,this}dot(e){return this.x*e.x+this.y*e.y+this.z*e.z+this.w*e.w}lengthSq(){return this.x*this.x+this.y*this.y+this.z*this.z+this.w*this.w}length(){return Math.sqrt(this.x*this.x+this.y*this.y+this.z*this.z+this.w*this.w)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)+Math.abs(this.z)+Math.abs(this.w)}normalize(){return this.divideScalar(this.length()||1)}setLength(e){return this.normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this.z+=(e.z-this.z)*t,this.w+=(e.w-this.w)*t,this}lerpVectors(e,t,n){return this.x=e.x+(t.x-e.x)*n,this.y=e.y+(t.y-e.y)*n,this.z=e.z+(t.z-e.z)*n,this.w=e.w+(t.w-e.w)*n,this}equals(e){return e.x===this.x&&e.y===this.y&&e.z===this.z&&e.w===this.w}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this.z=e[t+2],this.w=e[t+3],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e[t+2]=this.z,e[t+3]=this.w,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this.z=e.getZ(t),this.w=e.getW(t),this}random(){return this.x=Math.random(),this.y=Math.random(),this.z=Math.random(),this.w=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y,yield this.z,yield this.w}},io=class extends Hn{constructor(e=1,t=1,n={}){super(),n=Object.assign({generateMipmaps:!1,internalFormat:null,minFilter:Ut,depthBuffer:!0,stencilBuffer:!1,resolveColorBuffer:!0,resolveDepthBuffer:!0,resolveStencilBuffer:!0,storeMultisampledColorBuffer:!0,storeMultisampledDepthBuffer:!0,storeMultisampledStencilBuffer:!0,depthTexture:null,samples:0,count:1,depth:1,multiview:!1,useArrayDepthTexture:!1},n),this.isRenderTarget=!0,this.width=e,this.height=t,this.depth=n.depth,this.scissor=new et(0,0,e,t),this.scissorTest=!1,this.viewport=new et(0,0,e,t),this.textures=[];let s=n.count;for(let r=0;r<s;r++)this.textures[r]=new jt({width:e,height:t,depth:n.depth}),this.textures[r].isRenderTargetTexture=!0,this.textures[r].renderTarget=this;this._setTextureOptions(n),this.depthBuffer=n.depthBuffer,this.stencilBuffer=n.stencilBuffer,this.resolveColorBuffer=n.resolveColorBuffer,this.resolveDepthBuffer=n.resolveDepthBuffer,this.resolveStencilBuffer=n.resolveStencilBuffer,this.storeMultisampledColorBuffer=n.storeMultisampledColorBuffer,this.storeMultisampledDepthBuffer=n.storeMultisampledDepthBuffer,this.storeMultisampledStencilBuffer=n.storeMultisampledStencilBuffer,this._depthTexture=null,this.depthTexture=n.depthTexture,this.samples=n.samples,this.multiview=n.multiview,this.useArrayDepthTexture=n.useArrayDepthTexture}_setTextureOptions(e={}){let t={minFilter:Ut,generateMipmaps:!1,flipY:!1,internalFormat:null};e.mapping!==void 0&&(t.mapping=e.mapping),e.wrapS!==void 0&&(t.wrapS=e.wrapS),e.wrapT!==void 0&&(t.wrapT=e.wrapT),e.wrapR!==void 0&&(t.wrapR=e.wrapR),e.magFilter!==void 0&&(t.magFilter=e.magFilter),e.minFilter!==void 0&&(t.minFilter=e.minFilter),e.format!==void 0&&(t.format=e.format),e.type!==void 0&&(t.type=e.type),e.anisotropy!==void 0&&(t.anisotropy=e.anisotropy),e.colorSpace!==void 0&&(t.colorSpace=e.colorSpace),e.flipY!==void 0&&(t.flipY=e.flipY),e.generateMipmaps!==void 0&&(t.generateMipmaps=e.generateMipmaps),e.mipmapsAutoUpdate!==void 0&&(t.mipmapsAutoUpdate=e.mipmapsAutoUpdate),e.internalFormat!==void 0&&(t.internalFormat=e.internalFormat);for(let n=0;n<this.textures.length;n++)this.textures[n].setValues(t)}get texture(){return this.textures[0]}set texture(e){this.textures[0]=e}set depthTexture(e){this._depthTexture!==null&&this._depthTexture.renderTarget===this&&(this._depthTexture.renderTarget=null),e!==null&&e.renderTarget===null&&(e.renderTarget=this),this._depthTexture=e}get depthTexture(){return this._depthTexture}setSize(e,t,n=1){if(this.width!==e||this.height!==t||this.depth!==n){this.width=e,this.height=t,this.depth=n;for(let s=0,r=this.textures.length;s<r;s++)this.textures[s].image.width=e,this.textures[s].image.height=t,this.textures[s].image.depth=n,this.textures[s].isData3DTexture!==!0&&(this.textures[s].isArrayTexture=this.textures[s].image.depth>1);this.dispose()}this.viewport.set(0,0,e,t),this.scissor.set(0,0,e,t)}clone(){return new this.constructor().copy(this)}copy(e){this.width=e.width,this.height=e.height,this.depth=e.depth,this.scissor.copy(e.scissor),this.scissorTest=e.scissorTest,this.viewport.copy(e.viewport),this.textures.length=0;for(let t=0,n=e.textures.length;t<n;t++){this.textures[t]=e.textures[t].clone(),this.textures[t].isRenderTargetTexture=!0,this.textures[t].renderTarget=this;let s=Object.assign({},e.textures[t].image);this.textures[t].source=new Rs(s)}if(this.depthBuffer=e.depthBuffer,this.stencilBuffer=e.stencilBuffer,this.resolveColorBuffer=e.resolveColorBuffer,this.resolveDepthBuffer=e.resolveDepthBuffer,this.resolveStencilBuffer=e.resolveStencilBuffer,this.storeMultisampledColorBuffer=e.storeMultisampledColorBuffer,this.storeMultisampledDepthBuffer=e.storeMultisampledDepthBuffer,this.storeMultisampledStencilBuffer=e.storeMultisampledStencilBuffer,e.depthTexture!==null)if(e.depthTexture.renderTarget===e){let t=e.depthTexture.clone();t.renderTarget=null,this.depthTexture=t}else this.depthTexture=e.depthTexture;else this.depthTexture=null;return this.samples=e.samples,this.multiview=e.multiview,this.useArrayDepthTexture=e.useArrayDepthTexture,this}dispose(){this.dispatchEvent({type:"dispose"})}},on=class extends io{constructor(e=1,t=1,n={}){super(e,t,n),this.isWebGLRenderTarget=!0}},Sr=class extends jt{constructor(e=null,t=1,n=1,s=1){super(null),this.isDataArrayTexture=!0,this.image={data:e,width:t,height:n,depth:s},this.magFilter=_t,this.minFilter=_t,this.wrapR=Vn,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1,this.layerUpdates=new Set}copy(e){return super.copy(e),this.wrapR=e.wrapR,this}addLayerUpdate(e){this.layerUpdates.add(e)}clearLayerUpdates(){this.layerUpdates.clear()}};var so=class extends jt{constructor(e=null,t=1,n=1,s=1){super(null),this.isData3DTexture=!0,this.image={data:e,width:t,height:n,depth:s},this.magFilter=_t,this.minFilter=_t,this.wrapR=Vn,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}copy(e){return super.copy(e),this.wrapR=e.wrapR,this}};var rt=class i{static{this.prototype.isMatrix4=!0}constructor(e,t,n,s,r,a,o,l,c,h,f,d,u,p,v,g){this.elements=[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],e!==void 0&&this.set(e,t,n,s,r,a,o,l,c,h,f,d,u,p,v,g)}set(e,t,n,s,r,a,o,l,c,h,f,d,u,p,v,g){let m=this.elements;return m[0]=e,m[4]=t,m[8]=n,m[12]=s,m[1]=r,m[5]=a,m[9]=o,m[13]=l,m[2]=c,m[6]=h,m[10]=f,m[14]=d,m[3]=u,m[7]=p,m[11]=v,m[15]=g,this}identity(){return this.set(1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1),this}clone(){return new i().fromArray(this.elements)}copy(e){let t=this.elements,n=e.elements;return t[0]=n[0],t[1]=n[1],t[2]=n[2],t[3]=n[3],t[4]=n[4],t[5]=n[5],t[6]=n[6],t[7]=n[7],t[8]=n[8],t[9]=n[9],t[10]=n[10],t[11]=n[11],t[12]=n[12],t[13]=n[13],t[14]=n[14],t[15]=n[15],this}copyPosition(e){let t=this.elements,n=e.elements;return t[12]=n[12],t[13]=n[13],t[14]=n[14],this}setFromMatrix3(e){let t=e.elements;return this.set(t[0],t[3],t[6],0,t[1],t[4],t[7],0,t[2],t[5],t[8],0,0,0,0,1),this}extractBasis(e,t,n){return this.determinantAffine()===0?(e.set(1,0,0),t.set(0,1,0),n.set(0,0,1),this):(e.setFromMatrixColumn(this,0),t.setFromMatrixColumn(this,1),n.setFromMatrixColumn(this,2),this)}makeBasis(e,t,n){return this.set(e.x,t.x,n.x,0,e.y,t.y,n.y,0,e.z,t.z,n.z,0,0,0,0,1),this}extractRotation(e){if(e.determinantAffine()===0)return this.identity();let t=this.elements,n=e.elements,s=1/ps.setFromMatrixColumn(e,0).length(),r=1/ps.setFromMatrixColumn(e,1).length(),a=1/ps.setFromMatrixColumn(e,2).length();return t[0]=n[0]*s,t[1]=n[1]*s,t[2]=n[2]*s,t[3]=0,t[4]=n[4]*r,t[5]=n[5]*r,t[6]=n[6]*r,t[7]=0,t[8]=n[8]*a,t[9]=n[9]*a,t[10]=n[10]*a,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromEuler(e){let t=this.elements,n=e.x,s=e.y,r=e.z,a=Math.cos(n),o=Math.sin(n),l=Math.cos(s),c=Math.sin(s),h=Math.cos(r),f=Math.sin(r);if(e.order==="XYZ"){let d=a*h,u=a*f,p=o*h,v=o*f;t[0]=l*h,t[4]=-l*f,t[8]=c,t[1]=u+p*c,t[5]=d-v*c,t[9]=-o*l,t[2]=v-d*c,t[6]=p+u*c,t[10]=a*l}else if(e.order==="YXZ"){let d=l*h,u=l*f,p=c*h,v=c*f;t[0]=d+v*o,t[4]=p*o-u,t[8]=a*c,t[1]=a*f,t[5]=a*h,t[9]=-o,t[2]=u*o-p,t[6]=v+d*o,t[10]=a*l}else if(e.order==="ZXY"){let d=l*h,u=l*f,p=c*h,v=c*f;t[0]=d-v*o,t[4]=-a*f,t[8]=p+u*o,t[1]=u+p*o,t[5]=a*h,t[9]=v-d*o,t[2]=-a*c,t[6]=o,t[10]=a*l}else if(e.order==="ZYX"){let d=a*h,u=a*f,p=o*h,v=o*f;t[0]=l*h,t[4]=p*c-u,t[8]=d*c+v,t[1]=l*f,t[5]=v*c+d,t[9]=u*c-p,t[2]=-c,t[6]=o*l,t[10]=a*l}else if(e.order==="YZX"){let d=a*l,u=a*c,p=o*l,v=o*c;t[0]=l*h,t[4]=v-d*f,t[8]=p*f+u,t[1]=f,t[5]=a*h,t[9]=-o*h,t[2]=-c*h,t[6]=u*f+p,t[10]=d-v*f}else if(e.order==="XZY"){let d=a*l,u=a*c,p=o*l,v=o*c;t[0]=l*h,t[4]=-f,t[8]=c*h,t[1]=d*f+v,t[5]=a*h,t[9]=u*f-p,t[2]=p*f-u,t[6]=o*h,t[10]=v*f+d}return t[3]=0,t[7]=0,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromQuaternion(e){return this.compose(Yp,e,Jp)}lookAt(e,t,n){let s=this.elements;return sn.subVectors(e,t),sn.lengthSq()===0&&(sn.z=1),sn.normalize(),yi.crossVectors(n,sn),yi.lengthSq()===0&&(Math.abs(n.z)===1?sn.x+=1e-4:sn.z+=1e-4,sn.normalize(),yi.crossVectors(n,sn)),yi.normalize(),ba.crossVectors(sn,yi),s[0]=yi.x,s[4]=ba.x,s[8]=sn.x,s[1]=yi.y,s[5]=ba.y,s[9]=sn.y,s[2]=yi.z,s[6]=ba.z,s[10]=sn.z,this}multiply(e){return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let n=e.elements,s=t.elements,r=this.elements,a=n[0],o=n[4],l=n[8],c=n[12],h=n[1],f=n[5],d=n[9],u=n[13],p=n[2],v=n[6],g=n[10],m=n[14],_=n[3],E=n[7],M=n[11],A=n[15],w=s[0],x=s[4],S=s[8],F=s[12],P=s[1],N=s[5],B=s[9],q=s[13],I=s[2],G=s[6],X=s[10],z=s[14],ee=s[3],H=s[7],K=s[11],te=s[15];return r[0]=a*w+o*P+l*I+c*ee,r[4]=a*x+o*N+l*G+c*H,r[8]=a*S+o*B+l*X+c*K,r[12]=a*F+o*q+l*z+c*te,r[1]=h*w+f*P+d*I+u*ee,r[5]=h*x+f*N+d*G+u*H,r[9]=h*S+f*B+d*X+u*K,r[13]=h*F+f*q+d*z+u*te,r[2]=p*w+v*P+g*I+m*ee,r[6]=p*x+v*N+g*G+m*H,r[10]=p*S+v*B+g*X+m*K,r[14]=p*F+v*q+g*z+m*te,r[3]=_*w+E*P+M*I+A*ee,r[7]=_*x+E*N+M*G+A*H,r[11]=_*S+E*B+M*X+A*K,r[15]=_*F+E*q+M*z+A*te,this}multiplyScalar(e){let t=this.elements;return t[0]*=e,t[4]*=e,t[8]*=e,t[12]*=e,t[1]*=e,t[5]*=e,t[9]*=e,t[13]*=e,t[2]*=e,t[6]*=e,t[10]*=e,t[14]*=e,t[3]*=e,t[7]*=e,t[11]*=e,t[15]*=e,this}determinant(){let e=this.elements,t=e[0],n=e[4],s=e[8],r=e[12],a=e[1],o=e[5],l=e[9],c=e[13],h=e[2],f=e[6],d=e[10],u=e[14],p=e[3],v=e[7],g=e[11],m=e[15],_=l*u-c*d,E=o*u-c*f,M=o*d-l*f,A=a*u-c*h,w=a*d-l*h,x=a*f-o*h;return t*(v*_-g*E+m*M)-n*(p*_-g*A+m*w)+s*(p*E-v*A+m*x)-r*(p*M-v*w+g*x)}determinantAffine(){let e=this.elements,t=e[0],n=e[4],s=e[8],r=e[1],a=e[5],o=e[9],l=e[2],c=e[6],h=e[10];return t*(a*h-o*c)-n*(r*h-o*l)+s*(r*c-a*l)}transpose(){let e=this.elements,t;return t=e[1],e[1]=e[4],e[4]=t,t=e[2],e[2]=e[8],e[8]=t,t=e[6],e[6]=e[9],e[9]=t,t=e[3],e[3]=e[12],e[12]=t,t=e[7],e[7]=e[13],e[13]=t,t=e[11],e[11]=e[14],e[14]=t,this}setPosition(e,t,n){let s=this.elements;return e.isVector3?(s[12]=e.x,s[13]=e.y,s[14]=e.z):(s[12]=e,s[13]=t,s[14]=n),this}invert(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],a=e[4],o=e[5],l=e[6],c=e[7],h=e[8],f=e[9],d=e[10],u=e[11],p=e[12],v=e[13],g=e[14],m=e[15],_=t*o-n*a,E=t*l-s*a,M=t*c-r*a,A=n*l-s*o,w=n*c-r*o,x=s*c-r*l,S=h*v-f*p,F=h*g-d*p,P=h*m-u*p,N=f*g-d*v,B=f*m-u*v,q=d*m-u*g,I=_*q-E*B+M*N+A*P-w*F+x*S;if(I===0)return this.set(0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0);let G=1/I;return e[0]=(o*q-l*B+c*N)*G,e[1]=(s*B-n*q-r*N)*G,e[2]=(v*x-g*w+m*A)*G,e[3]=(d*w-f*x-u*A)*G,e[4]=(l*P-a*q-c*F)*G,e[5]=(t*q-s*P+r*F)*G,e[6]=(g*M-p*x-m*E)*G,e[7]=(h*x-d*M+u*E)*G,e[8]=(a*B-o*P+c*S)*G,e[9]=(n*P-t*B-r*S)*G,e[10]=(p*w-v*M+m*_)*G,e[11]=(f*M-h*w-u*_)*G,e[12]=(o*F-a*N-l*S)*G,e[13]=(t*N-n*F+s*S)*G,e[14]=(v*E-p*A-g*_)*G,e[15]=(h*A-f*E+d*_)*G,this}scale(e){let t=this.elements,n=e.x,s=e.y,r=e.z;return t[0]*=n,t[4]*=s,t[8]*=r,t[1]*=n,t[5]*=s,t[9]*=r,t[2]*=n,t[6]*=s,t[10]*=r,t[3]*=n,t[7]*=s,t[11]*=r,this}getMaxScaleOnAxis(){let e=this.elements,t=e[0]*e[0]+e[1]*e[1]+e[2]*e[2],n=e[4]*e[4]+e[5]*e[5]+e[6]*e[6],s=e[8]*e[8]+e[9]*e[9]+e[10]*e[10];return Math.sqrt(Math.max(t,n,s))}makeTranslation(e,t,n){return e.isVector3?this.set(1,0,0,e.x,0,1,0,e.y,0,0,1,e.z,0,0,0,1):this.set(1,0,0,e,0,1,0,t,0,0,1,n,0,0,0,1),this}makeRotationX(e){let t=Math.cos(e),n=Math.sin(e);return this.set(1,0,0,0,0,t,-n,0,0,n,t,0,0,0,0,1),this}makeRotationY(e){let t=Math.cos(e),n=Math.sin(e);return this.set(t,0,n,0,0,1,0,0,-n,0,t,0,0,0,0,1),this}makeRotationZ(e){let t=Math.cos(e),n=Math.sin(e);return this.set(t,-n,0,0,n,t,0,0,0,0,1,0,0,0,0,1),this}makeRotationAxis(e,t){let n=Math.cos(t),s=Math.sin(t),r=1-n,a=e.x,o=e.y,l=e.z,c=r*a,h=r*o;return this.set(c*a+n,c*o-s*l,c*l+s*o,0,c*o+s*l,h*o+n,h*l-s*a,0,c*l-s*o,h*l+s*a,r*l*l+n,0,0,0,0,1),this}makeScale(e,t,n){return this.set(e,0,0,0,0,t,0,0,0,0,n,0,0,0,0,1),this}makeShear(e,t,n,s,r,a){return this.set(1,n,r,0,e,1,a,0,t,s,1,0,0,0,0,1),this}compose(e,t,n){let s=this.elements,r=t._x,a=t._y,o=t._z,l=t._w,c=r+r,h=a+a,f=o+o,d=r*c,u=r*h,p=r*f,v=a*h,g=a*f,m=o*f,_=l*c,E=l*h,M=l*f,A=n.x,w=n.y,x=n.z;return s[0]=(1-(v+m))*A,s[1]=(u+M)*A,s[2]=(p-E)*A,s[3]=0,s[4]=(u-M)*w,s[5]=(1-(d+m))*w,s[6]=(g+_)*w,s[7]=0,s[8]=(p+E)*x,s[9]=(g-_)*x,s[10]=(1-(d+v))*x,s[11]=0,s[12]=e.x,s[13]=e.y,s[14]=e.z,s[15]=1,this}decompose(e,t,n){let s=this.elements;e.x=s[12],e.y=s[13],e.z=s[14];let r=this.determinantAffine();if(r===0)return n.set(1,1,1),t.identity(),this;let a=ps.set(s[0],s[1],s[2]).length(),o=ps.set(s[4],s[5],s[6]).length(),l=ps.set(s[8],s[9],s[10]).length();r<0&&(a=-a),En.copy(this);let c=1/a,h=1/o,f=1/l;return En.elements[0]*=c,En.elements[1]*=c,En.elements[2]*=c,En.elements[4]*=h,En.elements[5]*=h,En.elements[6]*=h,En.elements[8]*=f,En.elements[9]*=f,En.elements[10]*=f,t.setFromRotationMatrix(En),n.x=a,n.y=o,n.z=l,this}makePerspective(e,t,n,s,r,a,o=vn,l=!1){let c=this.elements,h=2*r/(t-e),f=2*r/(n-s),d=(t+e)/(t-e),u=(n+s)/(n-s),p,v;if(l)p=r/(a-r),v=a*r/(a-r);else if(o===vn)p=-(a+r)/(a-r),v=-2*a*r/(a-r);else if(o===vr)p=-a/(a-r),v=-a*r/(a-r);else throw new Error("THREE.Matrix4.makePerspective(): Invalid coordinate system: "+o);return c[0]=h,c[4]=0,c[8]=d,c[12]=0,c[1]=0,c[5]=f,c[9]=u,c[13]=0,c[2]=0,c[6]=0,c[10]=p,c[14]=v,c[3]=0,c[7]=0,c[11]=-1,c[15]=0,this}makeOrthographic(e,t,n,s,r,a,o=vn,l=!1){let c=this.elements,h=2/(t-e),f=2/(n-s),d=-(t+e)/(t-e),u=-(n+s)/(n-s),p,v;if(l)p=1/(a-r),v=a/(a-r);else if(o===vn)p=-2/(a-r),v=-(a+r)/(a-r);else if(o===vr)p=-1/(a-r),v=-r/(a-r);else throw new Error("THREE.Matrix4.makeOrthographic(): Invalid coordinate system: "+o);return c[0]=h,c[4]=0,c[8]=0,c[12]=d,c[1]=0,c[5]=f,c[9]=0,c[13]=u,c[2]=0,c[6]=0,c[10]=p,c[14]=v,c[3]=0,c[7]=0,c[11]=0,c[15]=1,this}equals(e){let t=this.elements,n=e.elements;for(let s=0;s<16;s++)if(t[s]!==n[s])return!1;return!0}fromArray(e,t=0){for(let n=0;n<16;n++)this.elements[n]=e[n+t];return this}toArray(e=[],t=0){let n=this.elements;return e[t]=n[0],e[t+1]=n[1],e[t+2]=n[2],e[t+3]=n[3],e[t+4]=n[4],e[t+5]=n[5],e[t+6]=n[6],e[t+7]=n[7],e[t+8]=n[8],e[t+9]=n[9],e[t+10]=n[10],e[t+11]=n[11],e[t+12]=n[12],e[t+13]=n[13],e[t+14]=n[14],e[t+15]=n[15],e}},ps=new O,En=new rt,Yp=new O(0,0,0),Jp=new O(1,1,1),yi=new O,ba=new O,sn=new O,id=new rt,sd=new Gn,wi=class i{constructor(e=0,t=0,n=0,s=i.DEFAULT_ORDER){this.isEuler=!0,this._x=e,this._y=t,this._z=n,this._order=s}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){return this._z}set z(e){this._z=e,this._onChangeCallback()}get order(){return this._order}set order(e){this._order=e,this._onChangeCallback()}set(e,t,n,s=this._order){return this._x=e,this._y=t,this._z=n,this._order=s,this._onChangeCallback(),this}clone(){return new this.constructor(this._x,this._y,this._z,this._order)}copy(e){return this._x=e._x,this._y=e._y,this._z=e._z,this._order=e._order,this._onChangeCallback(),this}setFromRotationMatrix(e,t=this._order,n=!0){let s=e.elements,r=s[0],a=s[4],o=s[8],l=s[1],c=s[5],h=s[9],f=s[2],d=s[6],u=s[10];switch(t){case"XYZ":this._y=Math.asin(qe(o,-1,1)),Math.abs(o)<.9999999?(this._x=Math.atan2(-h,u),this._z=Math.atan2(-a,r)):(this._x=Math.atan2(d,c),this._z=0);break;case"YXZ":this._x=Math.asin(-qe(h,-1,1)),Math.abs(h)<.9999999?(this._y=Math.atan2(o,u),this._z=Math.atan2(l,c)):(this._y=Math.atan2(-f,r),this._z=0);break;case"ZXY":this._x=Math.asin(qe(d,-1,1)),Math.abs(d)<.9999999?(this._y=Math.atan2(-f,u),this._z=Math.atan2(-a,c)):(this._y=0,this._z=Math.atan2(l,r));break;case"ZYX":this._y=Math.asin(-qe(f,-1,1)),Math.abs(f)<.9999999?(this._x=Math.atan2(d,u),this._z=Math.atan2(l,r)):(this._x=0,this._z=Math.atan2(-a,c));break;case"YZX":this._z=Math.asin(qe(l,-1,1)),Math.abs(l)<.9999999?(this._x=Math.atan2(-h,c),this._y=Math.atan2(-f,r)):(this._x=0,this._y=Math.atan2(o,u));break;case"XZY":this._z=Math.asin(-qe(a,-1,1)),Math.abs(a)<.9999999?(this._x=Math.atan2(d,c),this._y=Math.atan2(o,r)):(this._x=Math.atan2(-h,u),this._y=0);break;default:Pe("Euler: .setFromRotationMatrix() encountered an unknown order: "+t)}return this._order=t,n===!0&&this._onChangeCallback(),this}setFromQuaternion(e,t,n){return id.makeRotationFromQuaternion(e),this.setFromRotationMatrix(id,t,n)}setFromVector3(e,t=this._order){return this.set(e.x,e.y,e.z,t)}reorder(e){return sd.setFromEuler(this),this.setFromQuaternion(sd,e)}equals(e){return e._x===this._x&&e._y===this._y&&e._z===this._z&&e._order===this._order}fromArray(e){return this._x=e[0],this._y=e[1],this._z=e[2],e[3]!==void 0&&(this._order=e[3]),this._onChangeCallback(),this}toArray(e=[],t=0){return e[t]=this._x,e[t+1]=this._y,e[t+2]=this._z,e[t+3]=this._order,e}_onChange(e){return this._onChangeCallback=e,this}_onChangeCallback(){}*[Symbol.iterator](){yield this._x,yield this._y,yield this._z,yield this._order}};wi.DEFAULT_ORDER="XYZ";var Mr=class{constructor(){this.mask=1}set(e){this.mask=(1<<e|0)>>>0}enable(e){this.mask|=1<<e|0}enableAll(){this.mask=-1}toggle(e){this.mask^=1<<e|0}disable(e){this.mask&=~(1<<e|0)}disableAll(){this.mask=0}test(e){return(this.mask&e.mask)!==0}isEnabled(e){return(this.mask&(1<<e|0))!==0}},Zp=0,rd=new O,ms=new Gn,ti=new rt,Sa=new O,ur=new O,Kp=new O,jp=new Gn,ad=new O(1,0,0),od=new O(0,1,0),ld=new O(0,0,1),cd={type:"added"},Qp={type:"removed"},gs={type:"childadded",child:null},oc={type:"childremoved",child:null},ln=class i extends Hn{constructor(){super(),this.isObject3D=!0,Object.defineProperty(this,"id",{value:Zp++}),this.uuid=ts(),this.name="",this.type="Object3D",this.parent=null,this.children=[],this.up=i.DEFAULT_UP.clone();let e=new O,t=new wi,n=new Gn,s=new O(1,1,1);function r(){n.setFromEuler(t,!1)}function a(){t.setFromQuaternion(n,void 0,!1)}t._onChange(r),n._onChange(a),Object.defineProperties(this,{position:{configurable:!0,enumerable:!0,value:e},rotation:{configurable:!0,enumerable:!0,value:t},quaternion:{configurable:!0,enumerable:!0,value:n},scale:{configurable:!0,enumerable:!0,value:s},modelViewMatrix:{value:new rt},normalMatrix:{value:new De}}),this.matrix=new rt,this.matrixWorld=new rt,this.matrixAutoUpdate=i.DEFAULT_MATRIX_AUTO_UPDATE,this.matrixWorldAutoUpdate=i.DEFAULT_MATRIX_WORLD_AUTO_UPDATE,this.matrixWorldNeedsUpdate=!1,this.layers=new Mr,this.visible=!0,this.castShadow=!1,this.receiveShadow=!1,this.frustumCulled=!0,this.renderOrder=0,this.animations=[],this.customDepthMaterial=void 0,this.customDistanceMaterial=void 0,this.static=!1,this.userData={},this.pivot=null}onBeforeShadow(){}onAfterShadow(){}onBeforeRender(){}onAfterRender(){}applyMatrix4(e){this.matrixAutoUpdate&&this.updateMatrix(),this.matrix.premultiply(e),this.matrix.decompose(this.position,this.quaternion,this.scale),this.pivot!==null&&this.position.copy(this.pivot).applyMatrix4(this.matrix).sub(this.pivot)}applyQuaternion(e){return this.quaternion.premultiply(e),this}setRotationFromAxisAngle(e,t){this.quaternion.setFromAxisAngle(e,t)}setRotationFromEuler(e){this.quaternion.setFromEuler(e,!0)}setRotationFromMatrix(e){this.quaternion.setFromRotationMatrix(e)}setRotationFromQuaternion(e){this.quaternion.copy(e)}rotateOnAxis(e,t){return ms.setFromAxisAngle(e,t),this.quaternion.multiply(ms),this}rotateOnWorldAxis(e,t){return ms.setFromAxisAngle(e,t),this.quaternion.premultiply(ms),this}rotateX(e){return this.rotateOnAxis(ad,e)}rotateY(e){return this.rotateOnAxis(od,e)}rotateZ(e){return this.rotateOnAxis(ld,e)}translateOnAxis(e,t){return rd.copy(e).applyQuaternion(this.quaternion),this.position.add(rd.multiplyScalar(t)),this}translateX(e){return this.translateOnAxis(ad,e)}translateY(e){return this.translateOnAxis(od,e)}translateZ(e){return this.translateOnAxis(ld,e)}localToWorld(e){return this.updateWorldMatrix(!0,!1),e.applyMatrix4(this.matrixWorld)}worldToLocal(e){return this.updateWorldMatrix(!0,!1),e.applyMatrix4(ti.copy(this.matrixWorld).invert())}lookAt(e,t,n){e.isVector3?Sa.copy(e):Sa.set(e,t,n);let s=this.parent;this.updateWorldMatrix(!0,!1),ur.setFromMatrixPosition(this.matrixWorld),this.isCamera||this.isLight?ti.lookAt(ur,Sa,this.up):ti.lookAt(Sa,ur,this.up),this.quaternion.setFromRotationMatrix(ti),s&&(ti.extractRotation(s.matrixWorld),ms.setFromRotationMatrix(ti),this.quaternion.premultiply(ms.invert()))}add(e){if(arguments.length>1){for(let t=0;t<arguments.length;t++)this.add(arguments[t]);return this}return e===this?(Le("Object3D.add: object can't be added as a child of itself.",e),this):(e&&e.isObject3D?(e.removeFromParent(),e.parent=this,this.children.push(e),e.dispatchEvent(cd),gs.child=e,this.dispatchEvent(gs),gs.child=null):Le("Object3D.add: object not an instance of THREE.Object3D.",e),this)}remove(e){if(arguments.length>1){for(let n=0;n<arguments.length;n++)this.remove(arguments[n]);return this}let t=this.children.indexOf(e);return t!==-1&&(e.parent=null,this.children.splice(t,1),e.dispatchEvent(Qp),oc.child=e,this.dispatchEvent(oc),oc.child=null),this}removeFromParent(){let e=this.parent;return e!==null&&e.remove(this),this}clear(){return this.remove(...this.children)}attach(e){return this.updateWorldMatrix(!0,!1),ti.copy(this.matrixWorld).invert(),e.parent!==null&&(e.parent.updateWorldMatrix(!0,!1),ti.multiply(e.parent.matrixWorld)),e.applyMatrix4(ti),e.removeFromParent(),e.parent=this,this.children.push(e),e.updateWorldMatrix(!1,!0),e.dispatchEvent(cd),gs.child=e,this.dispatchEvent(gs),gs.child=null,this}getObjectById(e){return this.getObjectByProperty("id",e)}getObjectByName(e){return this.getObjectByProperty("name",e)}getObjectByProperty(e,t){if(this[e]===t)return this;for(let n=0,s=this.children.length;n<s;n++){let a=this.children[n].getObjectByProperty(e,t);if(a!==void 0)return a}}getObjectsByProperty(e,t,n=[]){this[e]===t&&n.push(this);let s=this.children;for(let r=0,a=s.length;r<a;r++)s[r].getObjectsByProperty(e,t,n);return n}getWorldPosition(e){return this.updateWorldMatrix(!0,!1),e.setFromMatrixPosition(this.matrixWorld)}getWorldQuaternion(e){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose(ur,e,Kp),e}getWorldScale(e){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose(ur,jp,e),e}getWorldDirection(e){this.updateWorldMatrix(!0,!1);let t=this.matrixWorld.elements;return e.set(t[8],t[9],t[10]).normalize()}raycast(){}intersectsFrustum(){return!0}traverse(e){e(this);let t=this.children;for(let n=0,s=t.length;n<s;n++)t[n].traverse(e)}traverseVisible(e){if(this.visible===!1)return;e(this);let t=this.children;for(let n=0,s=t.length;n<s;n++)t[n].traverseVisible(e)}traverseAncestors(e){let t=this.parent;t!==null&&(e(t),t.traverseAncestors(e))}updateMatrix(){this.matrix.compose(this.position,this.quaternion,this.scale);let e=this.pivot;if(e!==null){let t=e.x,n=e.y,s=e.z,r=this.matrix.elements;r[12]+=t-r[0]*t-r[4]*n-r[8]*s,r[13]+=n-r[1]*t-r[5]*n-r[9]*s,r[14]+=s-r[2]*t-r[6]*n-r[10]*s}this.matrixWorldNeedsUpdate=!0}updateMatrixWorld(e){this.matrixAutoUpdate&&this.updateMatrix(),(this.matrixWorldNeedsUpdate||e)&&(this.matrixWorldAutoUpdate===!0&&(this.parent===null?this.matrixWorld.copy(this.matrix):this.matrixWorld.multiplyMatrices(this.parent.matrixWorld,this.matrix)),this.matrixWorldNeedsUpdate=!1,e=!0);let t=this.children;for(let n=0,s=t.length;n<s;n++)t[n].updateMatrixWorld(e)}updateWorldMatrix(e,t,n=!1){let s=this.parent;if(e===!0&&s!==null&&s.updateWorldMatrix(!0,!1),this.matrixAutoUpdate&&this.updateMatrix(),(this.matrixWorldNeedsUpdate||n)&&(this.matrixWorldAutoUpdate===!0&&(this.parent===null?this.matrixWorld.copy(this.matrix):this.matrixWorld.multiplyMatrices(this.parent.matrixWorld,this.matrix)),this.matrixWorldNeedsUpdate=!1,n=!0),t===!0){let r=this.children;for(let a=0,o=r.length;a<o;a++)r[a].updateWorldMatrix(!1,!0,n)}}toJSON(e){let t=e===void 0||typeof e=="string",n={};t&&(e={geometries:{},materials:{},textures:{},images:{},shapes:{},skeletons:{},animations:{},nodes:{}},n.metadata={version:4.7,type:"Object",generator:"Object3D.toJSON"});let s={};s.uuid=this.uuid,s.type=this.type,s.name=this.name,s.castShadow=this.castShadow,s.receiveShadow=this.receiveShadow,s.visible=this.visible,s.frustumCulled=this.frustumCulled,s.renderOrder=this.renderOrder,s.static=this.static,s.matrixAutoUpdate=this.matrixAutoUpdate,Object.keys(this.userData).length>0&&(s.userData=this.userData),s.layers=this.layers.mask,s.matrix=this.matrix.toArray(),s.up=this.up.toArray(),this.pivot!==null&&(s.pivot=this.pivot.toArray()),this.morphTargetDictionary!==void 0&&(s.morphTargetDictionary=Object.assign({},this.morphTargetDictionary)),this.morphTargetInfluences!==void 0&&(s.morphTargetInfluences=this.morphTargetInfluences.slice()),this.isInstancedMesh&&(s.type="InstancedMesh",s.count=this.count,s.instanceMatrix=this.instanceMatrix.toJSON(),this.instanceColor!==null&&(s.instanceColor=this.instanceColor.toJSON())),this.isBatchedMesh&&(s.type="BatchedMesh",s.perObjectFrustumCulled=this.perObjectFrustumCulled,s.sortObjects=this.sortObjects,s.drawRanges=this._drawRanges,s.reservedRanges=this._reservedRanges,s.geometryInfo=this._geometryInfo.map(o=>({...o,boundingBox:o.boundingBox?o.boundingBox.toJSON():void 0,boundingSphere:o.boundingSphere?o.boundingSphere.toJSON():void 0})),s.instanceInfo=this._instanceInfo.map(o=>({...o})),s.availableInstanceIds=this._availableInstanceIds.slice(),s.availableGeometryIds=this._availableGeometryIds.slice(),s.nextIndexStart=this._nextIndexStart,s.nextVertexStart=this._nextVertexStart,s.geometryCount=this._geometryCount,s.maxInstanceCount=this._maxInstanceCount,s.maxVertexCount=this._maxVertexCount,s.maxIndexCount=this._maxIndexCount,s.geometryInitialized=this._geometryInitialized,s.matricesTexture=this._matricesTexture.toJSON(e),s.indirectTexture=this._indirectTexture.toJSON(e),this._colorsTexture!==null&&(s.colorsTexture=this._colorsTexture.toJSON(e)),this.boundingSphere!==null&&(s.boundingSphere=this.boundingSphere.toJSON()),this.boundingBox!==null&&(s.boundingBox=this.boundingBox.toJSON()));function r(o,l){return o[l.uuid]===void 0&&(o[l.uuid]=l.toJSON(e)),l.uuid}if(this.isScene)this.background&&(this.background.isColor?s.background=this.background.toJSON():this.background.isTexture&&(s.background=this.background.toJSON(e).uuid)),this.environment&&this.environment.isTexture&&this.environment.isRenderTargetTexture!==!0&&(s.environment=this.environment.toJSON(e).uuid);else if(this.isMesh||this.isLine||this.isPoints){s.geometry=r(e.geometries,this.geometry);let o=this.geometry.parameters;if(o!==void 0&&o.shapes!==void 0){let l=o.shapes;if(Array.isArray(l))for(let c=0,h=l.length;c<h;c++){let f=l[c];r(e.shapes,f)}else r(e.shapes,l)}}if(this.isSkinnedMesh&&(s.bindMode=this.bindMode,s.bindMatrix=this.bindMatrix.toArray(),this.skeleton!==void 0&&(r(e.skeletons,this.skeleton),s.skeleton=this.skeleton.uuid)),this.material!==void 0)if(Array.isArray(this.material)){let o=[];for(let l=0,c=this.material.length;l<c;l++)o.push(r(e.materials,this.material[l]));s.material=o}else s.material=r(e.materials,this.material);if(this.children.length>0){s.children=[];for(let o=0;o<this.children.length;o++)s.children.push(this.children[o].toJSON(e).object)}if(this.animations.length>0){s.animations=[];for(let o=0;o<this.animations.length;o++){let l=this.animations[o];s.animations.push(r(e.animations,l))}}if(t){let o=a(e.geometries),l=a(e.materials),c=a(e.textures),h=a(e.images),f=a(e.shapes),d=a(e.skeletons),u=a(e.animations),p=a(e.nodes);o.length>0&&(n.geometries=o),l.length>0&&(n.materials=l),c.length>0&&(n.textures=c),h.length>0&&(n.images=h),f.length>0&&(n.shapes=f),d.length>0&&(n.skeletons=d),u.length>0&&(n.animations=u),p.length>0&&(n.nodes=p)}return n.object=s,n;function a(o){let l=[];for(let c in o){let h=o[c];delete h.metadata,l.push(h)}return l}}clone(e){return new this.constructor().copy(this,e)}copy(e,t=!0){if(this.name=e.name,this.up.copy(e.up),this.position.copy(e.position),this.rotation.order=e.rotation.order,this.quaternion.copy(e.quaternion),this.scale.copy(e.scale),this.pivot=e.pivot!==null?e.pivot.clone():null,this.matrix.copy(e.matrix),this.matrixWorld.copy(e.matrixWorld),this.matrixAutoUpdate=e.matrixAutoUpdate,this.matrixWorldAutoUpdate=e.matrixWorldAutoUpdate,this.matrixWorldNeedsUpdate=e.matrixWorldNeedsUpdate,this.layers.mask=e.layers.mask,this.visible=e.visible,this.castShadow=e.castShadow,this.receiveShadow=e.receiveShadow,this.frustumCulled=e.frustumCulled,this.renderOrder=e.renderOrder,this.static=e.static,this.animations=e.animations.slice(),this.userData=JSON.parse(JSON.stringify(e.userData)),t===!0)for(let n=0;n<e.children.length;n++){let s=e.children[n];this.add(s.clone())}return this}dispose(){this.dispatchEvent({type:"dispose"})}};ln.DEFAULT_UP=new O(0,1,0);ln.DEFAULT_MATRIX_AUTO_UPDATE=!0;ln.DEFAULT_MATRIX_WORLD_AUTO_UPDATE=!0;var ai=class extends ln{constructor(){super(),this.isGroup=!0,this.type="Group"}},em={type:"move"},Ps=class{constructor(){this._targetRay=null,this._grip=null,this._hand=null}getHandSpace(){return this._hand===null&&(this._hand=new ai,this._hand.matrixAutoUpdate=!1,this._hand.visible=!1,this._hand.joints={},this._hand.inputState={pinching:!1}),this._hand}getTargetRaySpace(){return this._targetRay===null&&(this._targetRay=new ai,this._targetRay.matrixAutoUpdate=!1,this._targetRay.visible=!1,this._targetRay.hasLinearVelocity=!1,this._targetRay.linearVelocity=new O,this._targetRay.hasAngularVelocity=!1,this._targetRay.angularVelocity=new O),this._targetRay}getGripSpace(){return this._grip===null&&(this._grip=new ai,this._grip.matrixAutoUpdate=!1,this._grip.visible=!1,this._grip.hasLinearVelocity=!1,this._grip.linearVelocity=new O,this._grip.hasAngularVelocity=!1,this._grip.angularVelocity=new O,this._grip.eventsEnabled=!1),this._grip}dispatchEvent(e){return this._targetRay!==null&&this._targetRay.dispatchEvent(e),this._grip!==null&&this._grip.dispatchEvent(e),this._hand!==null&&this._hand.dispatchEvent(e),this}connect(e){if(e&&e.hand){let t=this._hand;if(t)for(let n of e.hand.values())this._getHandJoint(t,n)}return this.dispatchEvent({type:"connected",data:e}),this}disconnect(e){return this.dispatchEvent({type:"disconnected",data:e}),this._targetRay!==null&&(this._targetRay.visible=!1),this._grip!==null&&(this._grip.visible=!1),this._hand!==null&&(this._hand.visible=!1),this}update(e,t,n){let s=null,r=null,a=null,o=this._targetRay,l=this._grip,c=this._hand;if(e&&t.session.visibilityState!=="visible-blurred"){if(c&&e.hand){a=!0;for(let v of e.hand.values()){let g=t.getJointPose(v,n),m=this._getHandJoint(c,v);g!==null&&(m.matrix.fromArray(g.transform.matrix),m.matrix.decompose(m.position,m.quaternion,m.scale),m.matrixWorldNeedsUpdate=!0,m.jointRadius=g.radius),m.visible=g!==null}let h=c.joints["index-finger-tip"],f=c.joints["thumb-tip"],d=h.position.distanceTo(f.position),u=.02,p=.005;c.inputState.pinching&&d>u+p?(c.inputState.pinching=!1,this.dispatchEvent({type:"pinchend",handedness:e.handedness,target:this})):!c.inputState.pinching&&d<=u-p&&(c.inputState.pinching=!0,this.dispatchEvent({type:"pinchstart",handedness:e.handedness,target:this}))}else l!==null&&e.gripSpace&&(r=t.getPose(e.gripSpace,n),r!==null&&(l.matrix.fromArray(r.transform.matrix),l.matrix.decompose(l.position,l.quaternion,l.scale),l.matrixWorldNeedsUpdate=!0,r.linearVelocity?(l.hasLinearVelocity=!0,l.linearVelocity.copy(r.linearVelocity)):l.hasLinearVelocity=!1,r.angularVelocity?(l.hasAngularVelocity=!0,l.angularVelocity.copy(r.angularVelocity)):l.hasAngularVelocity=!1,l.eventsEnabled&&l.dispatchEvent({type:"gripUpdated",data:e,target:this})));o!==null&&(s=t.getPose(e.targetRaySpace,n),s===null&&r!==null&&(s=r),s!==null&&(o.matrix.fromArray(s.transform.matrix),o.matrix.decompose(o.position,o.quaternion,o.scale),o.matrixWorldNeedsUpdate=!0,s.linearVelocity?(o.hasLinearVelocity=!0,o.linearVelocity.copy(s.linearVelocity)):o.hasLinearVelocity=!1,s.angularVelocity?(o.hasAngularVelocity=!0,o.angularVelocity.copy(s.angularVelocity)):o.hasAngularVelocity=!1,this.dispatchEvent(em)))}return o!==null&&(o.visible=s!==null),l!==null&&(l.visible=r!==null),c!==null&&(c.visible=a!==null),this}_getHandJoint(e,t){if(e.joints[t.jointName]===void 0){let n=new ai;n.matrixAutoUpdate=!1,n.visible=!1,e.joints[t.jointName]=n,e.add(n)}return e.joints[t.jointName]}},cf={aliceblue:15792383,antiquewhite:16444375,aqua:65535,aquamarine:8388564,azure:15794175,beige:16119260,bisque:16770244,black:0,blanchedalmond:16772045,blue:255,blueviolet:9055202,brown:10824234,burlywood:14596231,cadetblue:6266528,chartreuse:8388352,chocolate:13789470,coral:16744272,cornflowerblue:6591981,cornsilk:16775388,crimson:14423100,cyan:65535,darkblue:139,darkcyan:35723,darkgoldenrod:12092939,darkgray:11119017,darkgreen:25600,darkgrey:11119017,darkkhaki:12433259,darkmagenta:9109643,darkolivegreen:5597999,darkorange:16747520,darkorchid:10040012,darkred:9109504,darksalmon:15308410,darkseagreen:9419919,darkslateblue:4734347,darkslategray:3100495,darkslategrey:3100495,darkturquoise:52945,darkviolet:9699539,deeppink:16716947,deepskyblue:49151,dimgray:6908265,dimgrey:6908265,dodgerblue:2003199,firebrick:11674146,floralwhite:16775920,forestgreen:2263842,fuchsia:16711935,gainsboro:14474460,ghostwhite:16316671,gold:16766720,goldenrod:14329120,gray:8421504,green:32768,greenyellow:11403055,grey:8421504,honeydew:15794160,hotpink:16738740,indianred:13458524,indigo:4915330,ivory:16777200,khaki:15787660,lavender:15132410,lavenderblush:16773365,lawngreen:8190976,lemonchiffon:16775885,lightblue:11393254,lightcoral:15761536,lightcyan:14745599,lightgoldenrodyellow:16448210,lightgray:13882323,lightgreen:9498256,lightgrey:13882323,lightpink:16758465,lightsalmon:16752762,lightseagreen:2142890,lightskyblue:8900346,lightslategray:7833753,lightslategrey:7833753,lightsteelblue:11584734,lightyellow:16777184,lime:65280,limegreen:3329330,linen:16445670,magenta:16711935,maroon:8388608,mediumaquamarine:6737322,mediumblue:205,mediumorchid:12211667,mediumpurple:9662683,mediumseagreen:3978097,mediumslateblue:8087790,mediumspringgreen:64154,mediumturquoise:4772300,mediumvioletred:13047173,midnightblue:1644912,mintcream:16121850,mistyrose:16770273,moccasin:16770229,navajowhite:16768685,navy:128,oldlace:16643558,olive:8421376,olivedrab:7048739,orange:16753920,orangered:16729344,orchid:14315734,palegoldenrod:15657130,palegreen:10025880,paleturquoise:11529966,palevioletred:14381203,papayawhip:16773077,peachpuff:16767673,peru:13468991,pink:16761035,plum:14524637,powderblue:11591910,purple:8388736,rebeccapurple:6697881,red:16711680,rosybrown:12357519,royalblue:4286945,saddlebrown:9127187,salmon:16416882,sandybrown:16032864,seagreen:3050327,seashell:16774638,sienna:10506797,silver:12632256,skyblue:8900331,slateblue:6970061,slategray:7372944,slategrey:7372944,snow:16775930,springgreen:65407,steelblue:4620980,tan:13808780,teal:32896,thistle:14204888,tomato:16737095,turquoise:4251856,violet:15631086,wheat:16113331,white:16777215,whitesmoke:16119285,yellow:16776960,yellowgreen:10145074},vi={h:0,s:0,l:0},Ma={h:0,s:0,l:0};function lc(i,e,t){return t<0&&(t+=1),t>1&&(t-=1),t<1/6?i+(e-i)*6*t:t<1/2?e:t<2/3?i+(e-i)*6*(2/3-t):i}var Be=class{constructor(e,t,n){return this.isColor=!0,this.r=1,this.g=1,this.b=1,this.set(e,t,n)}set(e,t,n){if(t===void 0&&n===void 0){let s=e;s&&s.isColor?this.copy(s):typeof s=="number"?this.setHex(s):typeof s=="string"&&this.setStyle(s)}else this.setRGB(e,t,n);return this}setScalar(e){return this.r=e,this.g=e,this.b=e,this}setHex(e,t=an){return e=Math.floor(e),this.r=(e>>16&255)/255,this.g=(e>>8&255)/255,this.b=(e&255)/255,Xe.colorSpaceToWorking(this,t),this}setRGB(e,t,n,s=Xe.workingColorSpace){return this.r=e,this.g=t,this.b=n,Xe.colorSpaceToWorking(this,s),this}setHSL(e,t,n,s=Xe.workingColorSpace){if(e=Wp(e,1),t=qe(t,0,1),n=qe(n,0,1),t===0)this.r=this.g=this.b=n;else{let r=n<=.5?n*(1+t):n+t-n*t,a=2*n-r;this.r=lc(a,r,e+1/3),this.g=lc(a,r,e),this.b=lc(a,r,e-1/3)}return Xe.colorSpaceToWorking(this,s),this}setStyle(e,t=an){function n(r){r!==void 0&&parseFloat(r)<1&&Pe("Color: Alpha component of "+e+" will be ignored.")}let s;if(s=/^(\w+)\(([^\)]*)\)/.exec(e)){let r,a=s[1],o=s[2];switch(a){case"rgb":case"rgba":if(r=/^\s*(\d+)\s*,\s*(\d+)\s*,\s*(\d+)\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.exec(o))return n(r[4]),this.setRGB(Math.min(255,parseInt(r[1],10))/255,Math.min(255,parseInt(r[2],10))/255,Math.min(255,parseInt(r[3],10))/255,t);if(r=/^\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.exec(o))return n(r[4]),this.setRGB(Math.min(100,parseFloat(r[1]))/100,Math.min(100,parseFloat(r[2]))/100,Math.min(100,parseFloat(r[3]))/100,t);break;case"hsl":case"hsla":if(r=/^\s*([+-]?(?:\d+(?:\.\d+)?|\.\d+))\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.exec(o))return n(r[4]),this.setHSL(parseFloat(r[1])/360,parseFloat(r[2])/100,parseFloat(r[3])/100,t);break;default:Pe("Color: Unknown color model "+e)}}else if(s=/^\#([A-Fa-f\d]+)$/.exec(e)){let r=s[1],a=r.length;if(a===3)return this.setRGB(parseInt(r.charAt(0),16)/15,parseInt(r.charAt(1),16)/15,parseInt(r.charAt(2),16)/15,t);if(a===6)return this.setHex(parseInt(r,16),t);Pe("Color: Invalid hex color "+e)}else if(e&&e.length>0)return this.setColorName(e,t);return this}setColorName(e,t=an){let n=cf[e.toLowerCase()];return n!==void 0?this.setHex(n,t):Pe("Color: Unknown color "+e),this}clone(){return new this.constructor(this.r,this.g,this.b)}copy(e){return this.r=e.r,this.g=e.g,this.b=e.b,this}copySRGBToLinear(e){return this.r=oi(e.r),this.g=oi(e.g),this.b=oi(e.b),this}copyLinearToSRGB(e){return this.r=Ts(e.r),this.g=Ts(e.g),this.b=Ts(e.b),this}convertSRGBToLinear(){return this.copySRGBToLinear(this),this}convertLinearToSRGB(){return this.copyLinearToSRGB(this),this}getHex(e=an){return Xe.workingToColorSpace(zt.copy(this),e),Math.round(qe(zt.r*255,0,255))*65536+Math.round(qe(zt.g*255,0,255))*256+Math.round(qe(zt.b*255,0,255))}getHexString(e=an){return("000000"+this.getHex(e).toString(16)).slice(-6)}getHSL(e,t=Xe.workingColorSpace){Xe.workingToColorSpace(zt.copy(this),t);let n=zt.r,s=zt.g,r=zt.b,a=Math.max(n,s,r),o=Math.min(n,s,r),l,c,h=(o+a)/2;if(o===a)l=0,c=0;else{let f=a-o;switch(c=h<=.5?f/(a+o):f/(2-a-o),a){case n:l=(s-r)/f+(s<r?6:0);break;case s:l=(r-n)/f+2;break;case r:l=(n-s)/f+4;break}l/=6}return e.h=l,e.s=c,e.l=h,e}getRGB(e,t=Xe.workingColorSpace){return Xe.workingToColorSpace(zt.copy(this),t),e.r=zt.r,e.g=zt.g,e.b=zt.b,e}getStyle(e=an){Xe.workingToColorSpace(zt.copy(this),e);let t=zt.r,n=zt.g,s=zt.b;return e!==an?`color(${e} ${t.toFixed(3)} ${n.toFixed(3)} ${s.toFixed(3)})`:`rgb(${Math.round(t*255)},${Math.round(n*255)},${Math.round(s*255)})`}offsetHSL(e,t,n){return this.getHSL(vi),this.setHSL(vi.h+e,vi.s+t,vi.l+n)}add(e){return this.r+=e.r,this.g+=e.g,this.b+=e.b,this}addColors(e,t){return this.r=e.r+t.r,this.g=e.g+t.g,this.b=e.b+t.b,this}addScalar(e){return this.r+=e,this.g+=e,this.b+=e,this}sub(e){return this.r=Math.max(0,this.r-e.r),this.g=Math.max(0,this.g-e.g),this.b=Math.max(0,this.b-e.b),this}multiply(e){return this.r*=e.r,this.g*=e.g,this.b*=e.b,this}multiplyScalar(e){return this.r*=e,this.g*=e,this.b*=e,this}lerp(e,t){return this.r+=(e.r-this.r)*t,this.g+=(e.g-this.g)*t,this.b+=(e.b-this.b)*t,this}lerpColors(e,t,n){return this.r=e.r+(t.r-e.r)*n,this.g=e.g+(t.g-e.g)*n,this.b=e.b+(t.b-e.b)*n,this}lerpHSL(e,t){this.getHSL(vi),e.getHSL(Ma);let n=nc(vi.h,Ma.h,t),s=nc(vi.s,Ma.s,t),r=nc(vi.l,Ma.l,t);return this.setHSL(n,s,r),this}setFromVector3(e){return this.r=e.x,this.g=e.y,this.b=e.z,this}applyMatrix3(e){let t=this.r,n=this.g,s=this.b,r=e.elements;return this.r=r[0]*t+r[3]*n+r[6]*s,this.g=r[1]*t+r[4]*n+r[7]*s,this.b=r[2]*t+r[5]*n+r[8]*s,this}equals(e){return e.r===this.r&&e.g===this.g&&e.b===this.b}fromArray(e,t=0){return this.r=e[t],this.g=e[t+1],this.b=e[t+2],this}toArray(e=[],t=0){return e[t]=this.r,e[t+1]=this.g,e[t+2]=this.b,e}fromBufferAttribute(e,t){return this.r=e.getX(t),this.g=e.getY(t),this.b=e.getZ(t),this}toJSON(){return this.getHex()}*[Symbol.iterator](){yield this.r,yield this.g,yield this.b}},zt=new Be;Be.NAMES=cf;var wr=class extends ln{constructor(){super(),this.isScene=!0,this.type="Scene",this.background=null,this.environment=null,this.fog=null,this.backgroundBlurriness=0,this.backgroundIntensity=1,this.backgroundRotation=new wi,this.environmentIntensity=1,this.environmentRotation=new wi,this.overrideMaterial=null,typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}copy(e,t){return super.copy(e,t),this.background=e.background!==null?e.background.clone():null,this.environment=e.environment!==null?e.environment.clone():null,this.fog=e.fog!==null?e.fog.clone():null,this.backgroundBlurriness=e.backgroundBlurriness,this.backgroundIntensity=e.backgroundIntensity,this.backgroundRotation.copy(e.backgroundRotation),this.environmentIntensity=e.environmentIntensity,this.environmentRotation.copy(e.environmentRotation),this.overrideMaterial=e.overrideMaterial!==null?e.overrideMaterial.clone():null,this.matrixAutoUpdate=e.matrixAutoUpdate,this}toJSON(e){let t=super.toJSON(e);return this.fog!==null&&(t.object.fog=this.fog.toJSON()),t.object.backgroundBlurriness=this.backgroundBlurriness,t.object.backgroundIntensity=this.backgroundIntensity,t.object.backgroundRotation=this.backgroundRotation.toArray(),t.object.environmentIntensity=this.environmentIntensity,t.object.environmentRotation=this.environmentRotation.toArray(),t}},Cn=new O,ni=new O,cc=new O,ii=new O,xs=new O,ys=new O,hd=new O,hc=new O,uc=new O,dc=new O,fc=new et,pc=new et,mc=new et,Mi=class i{constructor(e=new O,t=new O,n=new O){this.a=e,this.b=t,this.c=n}static getNormal(e,t,n,s){s.subVectors(n,t),Cn.subVectors(e,t),s.cross(Cn);let r=s.lengthSq();return r>0?s.multiplyScalar(1/Math.sqrt(r)):s.set(0,0,0)}static getBarycoord(e,t,n,s,r){Cn.subVectors(s,t),ni.subVectors(n,t),cc.subVectors(e,t);let a=Cn.dot(Cn),o=Cn.dot(ni),l=Cn.dot(cc),c=ni.dot(ni),h=ni.dot(cc),f=a*c-o*o;if(f===0)return r.set(0,0,0),null;let d=1/f,u=(c*l-o*h)*d,p=(a*h-o*l)*d;return r.set(1-u-p,p,u)}static containsPoint(e,t,n,s){return this.getBarycoord(e,t,n,s,ii)===null?!1:ii.x>=0&&ii.y>=0&&ii.x+ii.y<=1}static getInterpolation(e,t,n,s,r,a,o,l){return this.getBarycoord(e,t,n,s,ii)===null?(l.x=0,l.y=0,"z"in l&&(l.z=0),"w"in l&&(l.w=0),null):(l.setScalar(0),l.addScaledVector(r,ii.x),l.addScaledVector(a,ii.y),l.addScaledVector(o,ii.z),l)}static getInterpolatedAttribute(e,t,n,s,r,a){return fc.setScalar(0),pc.setScalar(0),mc.setScalar(0),fc.fromBufferAttribute(e,t),pc.fromBufferAttribute(e,n),mc.fromBufferAttribute(e,s),a.setScalar(0),a.addScaledVector(fc,r.x),a.addScaledVector(pc,r.y),a.addScaledVector(mc,r.z),a}static isFrontFacing(e,t,n,s){return Cn.subVectors(n,t),ni.subVectors(e,t),Cn.cross(ni).dot(s)<0}set(e,t,n){return this.a.copy(e),this.b.copy(t),this.c.copy(n),this}setFromPointsAndIndices(e,t,n,s){return this.a.copy(e[t]),this.b.copy(e[n]),this.c.copy(e[s]),this}setFromAttributeAndIndices(e,t,n,s){return this.a.fromBufferAttribute(e,t),this.b.fromBufferAttribute(e,n),this.c.fromBufferAttribute(e,s),this}clone(){return new this.constructor().copy(this)}copy(e){return this.a.copy(e.a),this.b.copy(e.b),this.c.copy(e.c),this}getArea(){return Cn.subVectors(this.c,this.b),ni.subVectors(this.a,this.b),Cn.cross(ni).length()*.5}getMidpoint(e){return e.addVectors(this.a,this.b).add(this.c).multiplyScalar(1/3)}getNormal(e){return i.getNormal(this.a,this.b,this.c,e)}getPlane(e){return e.setFromCoplanarPoints(this.a,this.b,this.c)}getBarycoord(e,t){return i.getBarycoord(e,this.a,this.b,this.c,t)}getInterpolation(e,t,n,s,r){return i.getInterpolation(e,this.a,this.b,this.c,t,n,s,r)}containsPoint(e){return i.containsPoint(e,this.a,this.b,this.c)}isFrontFacing(e){return i.isFrontFacing(this.a,this.b,this.c,e)}intersectsBox(e){return e.intersectsTriangle(this)}closestPointToPoint(e,t){let n=this.a,s=this.b,r=this.c,a,o;xs.subVectors(s,n),ys.subVectors(r,n),hc.subVectors(e,n);let l=xs.dot(hc),c=ys.dot(hc);if(l<=0&&c<=0)return t.copy(n);uc.subVectors(e,s);let h=xs.dot(uc),f=ys.dot(uc);if(h>=0&&f<=h)return t.copy(s);let d=l*f-h*c;if(d<=0&&l>=0&&h<=0&&l-h>0)return a=l/(l-h),t.copy(n).addScaledVector(xs,a);dc.subVectors(e,r);let u=xs.dot(dc),p=ys.dot(dc);if(p>=0&&u<=p)return t.copy(r);let v=u*c-l*p;if(v<=0&&c>=0&&p<=0)return o=c/(c-p),t.copy(n).addScaledVector(ys,o);let g=h*p-u*f;if(g<=0&&f-h>=0&&u-p>=0)return hd.subVectors(r,s),o=(f-h)/(f-h+(u-p)),t.copy(s).addScaledVector(hd,o);let m=1/(g+v+d);return a=v*m,o=d*m,t.copy(n).addScaledVector(xs,a).addScaledVector(ys,o)}equals(e){return e.a.equals(this.a)&&e.b.equals(this.b)&&e.c.equals(this.c)}},Ai=class{constructor(e=new O(1/0,1/0,1/0),t=new O(-1/0,-1/0,-1/0)){this.isBox3=!0,this.min=e,this.max=t}set(e,t){return this.min.copy(e),this.max.copy(t),this}setFromArray(e){this.makeEmpty();for(let t=0,n=e.length;t<n;t+=3)this.expandByPoint(Rn.fromArray(e,t));return this}setFromBufferAttribute(e){this.makeEmpty();for(let t=0,n=e.count;t<n;t++)this.expandByPoint(Rn.fromBufferAttribute(e,t));return this}setFromPoints(e){this.makeEmpty();for(let t=0,n=e.length;t<n;t++)this.expandByPoint(e[t]);return this}setFromCenterAndSize(e,t){let n=Rn.copy(t).multiplyScalar(.5);return this.min.copy(e).sub(n),this.max.copy(e).add(n),this}setFromObject(e,t=!1){return this.makeEmpty(),this.expandByObject(e,t)}clone(){return new this.constructor().copy(this)}copy(e){return this.min.copy(e.min),this.max.copy(e.max),this}makeEmpty(){return this.min.x=this.min.y=this.min.z=1/0,this.max.x=this.max.y=this.max.z=-1/0,this}isEmpty(){return this.max.x<this.min.x||this.max.y<this.min.y||this.max.z<this.min.z}getCenter(e){return this.isEmpty()?e.set(0,0,0):e.addVectors(this.min,this.max).multiplyScalar(.5)}getSize(e){return this.isEmpty()?e.set(0,0,0):e.subVectors(this.max,this.min)}expandByPoint(e){return this.min.min(e),this.max.max(e),this}expandByVector(e){return this.min.sub(e),this.max.add(e),this}expandByScalar(e){return this.min.addScalar(-e),this.max.addScalar(e),this}expandByObject(e,t=!1){e.updateWorldMatrix(!1,!1);let n=e.geometry;if(n!==void 0){let r=n.getAttribute("position");if(t===!0&&r!==void 0&&e.isInstancedMesh!==!0&&e.isBatchedMesh!==!0)for(let a=0,o=r.count;a<o;a++)e.isMesh===!0?e.getVertexPosition(a,Rn):Rn.fromBufferAttribute(r,a),Rn.applyMatrix4(e.matrixWorld),this.expandByPoint(Rn);else e.boundingBox!==void 0?(e.boundingBox===null&&e.computeBoundingBox(),wa.copy(e.boundingBox)):(n.boundingBox===null&&n.computeBoundingBox(),wa.copy(n.boundingBox)),wa.applyMatrix4(e.matrixWorld),this.union(wa)}let s=e.children;for(let r=0,a=s.length;r<a;r++)this.expandByObject(s[r],t);return this}containsPoint(e){return e.x>=this.min.x&&e.x<=this.max.x&&e.y>=this.min.y&&e.y<=this.max.y&&e.z>=this.min.z&&e.z<=this.max.z}containsBox(e){return this.min.x<=e.min.x&&e.max.x<=this.max.x&&this.min.y<=e.min.y&&e.max.y<=this.max.y&&this.min.z<=e.min.z&&e.max.z<=this.max.z}getParameter(e,t){return t.set((e.x-this.min.x)/(this.max.x-this.min.x),(e.y-this.min.y)/(this.max.y-this.min.y),(e.z-this.min.z)/(this.max.z-this.min.z))}intersectsBox(e){return e.max.x>=this.min.x&&e.min.x<=this.max.x&&e.max.y>=this.min.y&&e.min.y<=this.max.y&&e.max.z>=this.min.z&&e.min.z<=this.max.z}intersectsSphere(e){return this.clampPoint(e.center,Rn),Rn.distanceToSquared(e.center)<=e.radius*e.radius}intersectsPlane(e){let t,n;return e.normal.x>0?(t=e.normal.x*this.min.x,n=e.normal.x*this.max.x):(t=e.normal.x*this.max.x,n=e.normal.x*this.min.x),e.normal.y>0?(t+=e.normal.y*this.min.y,n+=e.normal.y*this.max.y):(t+=e.normal.y*this.max.y,n+=e.normal.y*this.min.y),e.normal.z>0?(t+=e.normal.z*this.min.z,n+=e.normal.z*this.max.z):(t+=e.normal.z*this.max.z,n+=e.normal.z*this.min.z),t<=-e.constant&&n>=-e.constant}intersectsTriangle(e){if(this.isEmpty())return!1;this.getCenter(dr),Aa.subVectors(this.max,dr),vs.subVectors(e.a,dr),_s.subVectors(e.b,dr),bs.subVectors(e.c,dr),_i.subVectors(_s,vs),bi.subVectors(bs,_s),Wi.subVectors(vs,bs);let t=[0,-_i.z,_i.y,0,-bi.z,bi.y,0,-Wi.z,Wi.y,_i.z,0,-_i.x,bi.z,0,-bi.x,Wi.z,0,-Wi.x,-_i.y,_i.x,0,-bi.y,bi.x,0,-Wi.y,Wi.x,0];return!gc(t,vs,_s,bs,Aa)||(t=[1,0,0,0,1,0,0,0,1],!gc(t,vs,_s,bs,Aa))?!1:(Ta.crossVectors(_i,bi),t=[Ta.x,Ta.y,Ta.z],gc(t,vs,_s,bs,Aa))}clampPoint(e,t){return t.copy(e).clamp(this.min,this.max)}distanceToPoint(e){return this.clampPoint(e,Rn).distanceTo(e)}getBoundingSphere(e){return this.isEmpty()?e.makeEmpty():(this.getCenter(e.center),e.radius=this.getSize(Rn).length()*.5),e}intersect(e){return this.min.max(e.min),this.max.min(e.max),this.isEmpty()&&this.makeEmpty(),this}union(e){return this.min.min(e.min),this.max.max(e.max),this}applyMatrix4(e){return this.isEmpty()?this:(si[0].set(this.min.x,this.min.y,this.min.z).applyMatrix4(e),si[1].set(this.min.x,this.min.y,this.max.z).applyMatrix4(e),si[2].set(this.min.x,this.max.y,this.min.z).applyMatrix4(e),si[3].set(this.min.x,this.max.y,this.max.z).applyMatrix4(e),si[4].set(this.max.x,this.min.y,this.min.z).applyMatrix4(e),si[5].set(this.max.x,this.min.y,this.max.z).applyMatrix4(e),si[6].set(this.max.x,this.max.y,this.min.z).applyMatrix4(e),si[7].set(this.max.x,this.max.y,this.max.z).applyMatrix4(e),this.setFromPoints(si),this)}translate(e){return this.min.add(e),this.max.add(e),this}equals(e){return e.min.equals(this.min)&&e.max.equals(this.max)}toJSON(){return{min:this.min.toArray(),max:this.max.toArray()}}fromJSON(e){return this.min.fromArray(e.min),this.max.fromArray(e.max),this}},si=[new O,new O,new O,new O,new O,new O,new O,new O],Rn=new O,wa=new Ai,vs=new O,_s=new O,bs=new O,_i=new O,bi=new O,Wi=new O,dr=new O,Aa=new O,Ta=new O,Xi=new O;function gc(i,e,t,n,s){for(let r=0,a=i.length-3;r<=a;r+=3){Xi.fromArray(i,r);let o=s.x*Math.abs(Xi.x)+s.y*Math.abs(Xi.y)+s.z*Math.abs(Xi.z),l=e.dot(Xi),c=t.dot(Xi),h=n.dot(Xi);if(Math.max(-Math.max(l,c,h),Math.min(l,c,h))>o)return!1}return!0}var yt=new O,Ea=new Ve,tm=0,vt=class extends Hn{constructor(e,t,n=!1){if(super(),Array.isArray(e))throw new TypeError("THREE.BufferAttribute: array should be a Typed Array.");this.isBufferAttribute=!0,Object.defineProperty(this,"id",{value:tm++}),this.name="",this.array=e,this.itemSize=t,this.count=e!==void 0?e.length/t:0,this.normalized=n,this.usage=eh,this.updateRanges=[],this.gpuType=hn,this.version=0,this._normalizationScale=e!==void 0?cl(e):void 0}onUploadCallback(){}set needsUpdate(e){e===!0&&this.version++}setUsage(e){return this.usage=e,this}addUpdateRange(e,t){this.updateRanges.push({start:e,count:t})}clearUpdateRanges(){this.updateRanges.length=0}copy(e){return this.name=e.name,this.array=new e.array.constructor(e.array),this.itemSize=e.itemSize,this.count=e.count,this.normalized=e.normalized,this.usage=e.usage,this.gpuType=e.gpuType,this._normalizationScale=e._normalizationScale,this}copyAt(e,t,n){e*=this.itemSize,n*=t.itemSize;for(let s=0,r=this.itemSize;s<r;s++)this.array[e+s]=t.array[n+s];return this}copyArray(e){return this.array.set(e),this}applyMatrix3(e){if(this.itemSize===2)for(let t=0,n=this.count;t<n;t++)Ea.fromBufferAttribute(this,t),Ea.applyMatrix3(e),this.setXY(t,Ea.x,Ea.y);else if(this.itemSize===3)for(let t=0,n=this.count;t<n;t++)yt.fromBufferAttribute(this,t),yt.applyMatrix3(e),this.setXYZ(t,yt.x,yt.y,yt.z);return this}applyMatrix4(e){for(let t=0,n=this.count;t<n;t++)yt.fromBufferAttribute(this,t),yt.applyMatrix4(e),this.setXYZ(t,yt.x,yt.y,yt.z);return this}applyNormalMatrix(e){for(let t=0,n=this.count;t<n;t++)yt.fromBufferAttribute(this,t),yt.applyNormalMatrix(e),this.setXYZ(t,yt.x,yt.y,yt.z);return this}transformDirection(e){for(let t=0,n=this.count;t<n;t++)yt.fromBufferAttribute(this,t),yt.transformDirection(e),this.setXYZ(t,yt.x,yt.y,yt.z);return this}set(e,t=0){return this.array.set(e,t),this}getComponent(e,t){let n=this.array[e*this.itemSize+t];return this.normalized&&(n=this._denormalize(n)),n}setComponent(e,t,n){return this.normalized&&(n=this._normalize(n)),this.array[e*this.itemSize+t]=n,this}getX(e){let t=this.array[e*this.itemSize];return this.normalized&&(t=this._denormalize(t)),t}setX(e,t){return this.normalized&&(t=this._normalize(t)),this.array[e*this.itemSize]=t,this}getY(e){let t=this.array[e*this.itemSize+1];return this.normalized&&(t=this._denormalize(t)),t}setY(e,t){return this.normalized&&(t=this._normalize(t)),this.array[e*this.itemSize+1]=t,this}getZ(e){let t=this.array[e*this.itemSize+2];return this.normalized&&(t=this._denormalize(t)),t}setZ(e,t){return this.normalized&&(t=this._normalize(t)),this.array[e*this.itemSize+2]=t,this}getW(e){let t=this.array[e*this.itemSize+3];return this.normalized&&(t=this._denormalize(t)),t}setW(e,t){return this.normalized&&(t=this._normalize(t)),this.array[e*this.itemSize+3]=t,this}setXY(e,t,n){return e*=this.itemSize,this.normalized&&(t=this._normalize(t),n=this._normalize(n)),this.array[e+0]=t,this.array[e+1]=n,this}setXYZ(e,t,n,s){return e*=this.itemSize,this.normalized&&(t=this._normalize(t),n=this._normalize(n),s=this._normalize(s)),this.array[e+0]=t,this.array[e+1]=n,this.array[e+2]=s,this}setXYZW(e,t,n,s,r){return e*=this.itemSize,this.normalized&&(t=this._normalize(t),n=this._normalize(n),s=this._normalize(s),r=this._normalize(r)),this.array[e+0]=t,this.array[e+1]=n,this.array[e+2]=s,this.array[e+3]=r,this}onUpload(e){return this.onUploadCallback=e,this}clone(){return new this.constructor(this.array,this.itemSize).copy(this)}toJSON(){let e={itemSize:this.itemSize,type:this.array.constructor.name,array:Array.from(this.array),normalized:this.normalized};return e.name=this.name,e.usage=this.usage,e.gpuType=this.gpuType,e}dispose(){this.dispatchEvent({type:"dispose"})}_denormalize(e){let t=this._normalizationScale;return t!==void 0?Math.max(e/t,-1):of(e,this.array)}_normalize(e){let t=this._normalizationScale;return t!==void 0?Math.round(e*t):lf(e,this.array)}};var Ar=class extends vt{constructor(e,t,n){super(new Uint16Array(e),t,n)}};var Tr=class extends vt{constructor(e,t,n){super(new Uint32Array(e),t,n)}};var _n=class extends vt{constructor(e,t,n){super(new Float32Array(e),t,n)}},nm=new Ai,fr=new O,xc=new O,Yi=class{constructor(e=new O,t=-1){this.isSphere=!0,this.center=e,this.radius=t}set(e,t){return this.center.copy(e),this.radius=t,this}setFromPoints(e,t){let n=this.center;t!==void 0?n.copy(t):nm.setFromPoints(e).getCenter(n);let s=0;for(let r=0,a=e.length;r<a;r++)s=Math.max(s,n.distanceToSquared(e[r]));return this.radius=Math.sqrt(s),this}copy(e){return this.center.copy(e.center),this.radius=e.radius,this}isEmpty(){return this.radius<0}makeEmpty(){return this.center.set(0,0,0),this.radius=-1,this}containsPoint(e){return e.distanceToSquared(this.center)<=this.radius*this.radius}distanceToPoint(e){return e.distanceTo(this.center)-this.radius}intersectsSphere(e){let t=this.radius+e.radius;return e.center.distanceToSquared(this.center)<=t*t}intersectsBox(e){return e.intersectsSphere(this)}intersectsPlane(e){return Math.abs(e.distanceToPoint(this.center))<=this.radius}clampPoint(e,t){let n=this.center.distanceToSquared(e);return t.copy(e),n>this.radius*this.radius&&(t.sub(this.center).normalize(),t.multiplyScalar(this.radius).add(this.center)),t}getBoundingBox(e){return this.isEmpty()?(e.makeEmpty(),e):(e.set(this.center,this.center),e.expandByScalar(this.radius),e)}applyMatrix4(e){return this.center.applyMatrix4(e),this.radius=this.radius*e.getMaxScaleOnAxis(),this}translate(e){return this.center.add(e),this}expandByPoint(e){if(this.isEmpty())return this.center.copy(e),this.radius=0,this;fr.subVectors(e,this.center);let t=fr.lengthSq();if(t>this.radius*this.radius){let n=Math.sqrt(t),s=(n-this.radius)*.5;this.center.addScaledVector(fr,s/n),this.radius+=s}return this}union(e){return e.isEmpty()?this:this.isEmpty()?(this.copy(e),this):(this.center.equals(e.center)===!0?this.radius=Math.max(this.radius,e.radius):(xc.subVectors(e.center,this.center).setLength(e.radius),this.expandByPoint(fr.copy(e.center).add(xc)),this.expandByPoint(fr.copy(e.center).sub(xc))),this)}equals(e){return e.center.equals(this.center)&&e.radius===this.radius}clone(){return new this.constructor().copy(this)}toJSON(){return{radius:this.radius,center:this.center.toArray()}}fromJSON(e){return this.radius=e.radius,this.center.fromArray(e.center),this}},im=0,yn=new rt,yc=new ln,Ss=new O,rn=new Ai,pr=new Ai,Lt=new O,Qt=class i extends Hn{constructor(){super(),this.isBufferGeometry=!0,Object.defineProperty(this,"id",{value:im++}),this.uuid=ts(),this.name="",this.type="BufferGeometry",this.index=null,this.indirect=null,this.indirectOffset=0,this.attributes={},this.morphAttributes={},this.morphTargetsRelative=!1,this.groups=[],this.boundingBox=null,this.boundingSphere=null,this.drawRange={start:0,count:1/0},this.userData={},this._transformed=!1}getIndex(){return this.index}setIndex(e){return Array.isArray(e)?this.index=new(Hp(e)?Tr:Ar)(e,1):this.index=e,this}setIndirect(e,t=0){return this.indirect=e,this.indirectOffset=t,this}getIndirect(){return this.indirect}getAttribute(e){return this.attributes[e]}setAttribute(e,t){return this.attributes[e]=t,this}deleteAttribute(e){return delete this.attributes[e],this}hasAttribute(e){return this.attributes[e]!==void 0}addGroup(e,t,n=0){this.groups.push({start:e,count:t,materialIndex:n})}clearGroups(){this.groups=[]}setDrawRange(e,t){this.drawRange.start=e,this.drawRange.count=t}applyMatrix4(e){let t=this.attributes.position;t!==void 0&&(t.applyMatrix4(e),t.needsUpdate=!0);let n=this.attributes.normal;if(n!==void 0){let r=new De().getNormalMatrix(e);n.applyNormalMatrix(r),n.needsUpdate=!0}let s=this.attributes.tangent;return s!==void 0&&(s.transformDirection(e),s.needsUpdate=!0),this.boundingBox!==null&&this.computeBoundingBox(),this.boundingSphere!==null&&this.computeBoundingSphere(),this._transformed=!0,this}applyQuaternion(e){return yn.makeRotationFromQuaternion(e),this.applyMatrix4(yn),this}rotateX(e){return yn.makeRotationX(e),this.applyMatrix4(yn),this}rotateY(e){return yn.makeRotationY(e),this.applyMatrix4(yn),this}rotateZ(e){return yn.makeRotationZ(e),this.applyMatrix4(yn),this}translate(e,t,n){return yn.makeTranslation(e,t,n),this.applyMatrix4(yn),this}scale(e,t,n){return yn.makeScale(e,t,n),this.applyMatrix4(yn),this}lookAt(e){return yc.lookAt(e),yc.updateMatrix(),this.applyMatrix4(yc.matrix),this}center(){return this.computeBoundingBox(),this.boundingBox.getCenter(Ss).negate(),this.translate(Ss.x,Ss.y,Ss.z),this}setFromPoints(e){let t=this.getAttribute("position");if(t===void 0){let n=[];for(let s=0,r=e.length;s<r;s++){let a=e[s];n.push(a.x,a.y,a.z||0)}this.setAttribute("position",new _n(n,3))}else{let n=Math.min(e.length,t.count);for(let s=0;s<n;s++){let r=e[s];t.setXYZ(s,r.x,r.y,r.z||0)}e.length>t.count&&Pe("BufferGeometry: Buffer size too small for points data. Use .dispose() and create a new geometry."),t.needsUpdate=!0}return this}computeBoundingBox(){this.boundingBox===null&&(this.boundingBox=new Ai);let e=this.attributes.position,t=this.morphAttributes.position;if(e&&e.isGLBufferAttribute){Le("BufferGeometry.computeBoundingBox(): GLBufferAttribute requires a manual bounding box.",this),this.boundingBox.set(new O(-1/0,-1/0,-1/0),new O(1/0,1/0,1/0));return}if(e!==void 0){if(this.boundingBox.setFromBufferAttribute(e),t)for(let n=0,s=t.length;n<s;n++){let r=t[n];rn.setFromBufferAttribute(r),this.morphTargetsRelative?(Lt.addVectors(this.boundingBox.min,rn.min),this.boundingBox.expandByPoint(Lt),Lt.addVectors(this.boundingBox.max,rn.max),this.boundingBox.expandByPoint(Lt)):(this.boundingBox.expandByPoint(rn.min),this.boundingBox.expandByPoint(rn.max))}}else this.boundingBox.makeEmpty();(isNaN(this.boundingBox.min.x)||isNaN(this.boundingBox.min.y)||isNaN(this.boundingBox.min.z))&&Le('BufferGeometry.computeBoundingBox(): Computed min/max have NaN values. The "position" attribute is likely to have NaN values.',this)}computeBoundingSphere(){this.boundingSphere===null&&(this.boundingSphere=new Yi);let e=this.attributes.position,t=this.morphAttributes.position;if(e&&e.isGLBufferAttribute){Le("BufferGeometry.computeBoundingSphere(): GLBufferAttribute requires a manual bounding sphere.",this),this.boundingSphere.set(new O,1/0);return}if(e){let n=this.boundingSphere.center;if(rn.setFromBufferAttribute(e),t)for(let r=0,a=t.length;r<a;r++){let o=t[r];pr.setFromBufferAttribute(o),this.morphTargetsRelative?(Lt.addVectors(rn.min,pr.min),rn.expandByPoint(Lt),Lt.addVectors(rn.max,pr.max),rn.expandByPoint(Lt)):(rn.expandByPoint(pr.min),rn.expandByPoint(pr.max))}rn.getCenter(n);let s=0;for(let r=0,a=e.count;r<a;r++)Lt.fromBufferAttribute(e,r),s=Math.max(s,n.distanceToSquared(Lt));if(t)for(let r=0,a=t.length;r<a;r++){let o=t[r],l=this.morphTargetsRelative;for(let c=0,h=o.count;c<h;c++)Lt.fromBufferAttribute(o,c),l&&(Ss.fromBufferAttribute(e,c),Lt.add(Ss)),s=Math.max(s,n.distanceToSquared(Lt))}this.boundingSphere.radius=Math.sqrt(s),isNaN(this.boundingSphere.radius)&&Le('BufferGeometry.computeBoundingSphere(): Computed radius is NaN. The "position" attribute is likely to have NaN values.',this)}}computeTangents(){let e=this.index,t=this.attributes;if(e===null||t.position===void 0||t.normal===void 0||t.uv===void 0){Le("BufferGeometry: .computeTangents() failed. Missing required attributes (index, position, normal or uv)");return}let n=t.position,s=t.normal,r=t.uv,a=this.getAttribute("tangent");(a===void 0||a.count!==n.count)&&(a=new vt(new Float32Array(4*n.count),4),this.setAttribute("tangent",a));let o=[],l=[],c=new Uint8Array(n.count);for(let F=0;F<n.count;F++)o[F]=new O,l[F]=new O;let h=new O,f=new O,d=new O,u=new Ve,p=new Ve,v=new Ve,g=new O,m=new O;function _(F,P,N){c[F]=c[P]=c[N]=1,h.fromBufferAttribute(n,F),f.fromBufferAttribute(n,P),d.fromBufferAttribute(n,N),u.fromBufferAttribute(r,F),p.fromBufferAttribute(r,P),v.fromBufferAttribute(r,N),f.sub(h),d.sub(h),p.sub(u),v.sub(u);let B=1/(p.x*v.y-v.x*p.y);isFinite(B)&&(g.copy(f).multiplyScalar(v.y).addScaledVector(d,-p.y).multiplyScalar(B),m.copy(d).multiplyScalar(p.x).addScaledVector(f,-v.x).multiplyScalar(B),o[F].add(g),o[P].add(g),o[N].add(g),l[F].add(m),l[P].add(m),l[N].add(m))}let E=this.groups;E.length===0&&(E=[{start:0,count:e.count}]);for(let F=0,P=E.length;F<P;++F){let N=E[F],B=N.start,q=N.count;for(let I=B,G=B+q;I<G;I+=3)_(e.getX(I+0),e.getX(I+1),e.getX(I+2))}let M=new O,A=new O,w=new O,x=new O;function S(F){w.fromBufferAttribute(s,F),x.copy(w);let P=o[F];M.copy(P),M.sub(w.multiplyScalar(w.dot(P))).normalize(),A.crossVectors(x,P);let B=A.dot(l[F])<0?-1:1;a.setXYZW(F,M.x,M.y,M.z,B)}for(let F=0,P=n.count;F<P;++F)c[F]&&S(F);this._transformed=!0}computeVertexNormals(){let e=this.index,t=this.getAttribute("position");if(t!==void 0){let n=this.getAttribute("normal");if(n===void 0||n.count!==t.count)n=new vt(new Float32Array(t.count*3),3),this.setAttribute("normal",n);else for(let d=0,u=n.count;d<u;d++)n.setXYZ(d,0,0,0);let s=new O,r=new O,a=new O,o=new O,l=new O,c=new O,h=new O,f=new O;if(e)for(let d=0,u=e.count;d<u;d+=3){let p=e.getX(d+0),v=e.getX(d+1),g=e.getX(d+2);s.fromBufferAttribute(t,p),r.fromBufferAttribute(t,v),a.fromBufferAttribute(t,g),h.subVectors(a,r),f.subVectors(s,r),h.cross(f),o.fromBufferAttribute(n,p),l.fromBufferAttribute(n,v),c.fromBufferAttribute(n,g),o.add(h),l.add(h),c.add(h),n.setXYZ(p,o.x,o.y,o.z),n.setXYZ(v,l.x,l.y,l.z),n.setXYZ(g,c.x,c.y,c.z)}else for(let d=0,u=t.count;d<u;d+=3)s.fromBufferAttribute(t,d+0),r.fromBufferAttribute(t,d+1),a.fromBufferAttribute(t,d+2),h.subVectors(a,r),f.subVectors(s,r),h.cross(f),n.setXYZ(d+0,h.x,h.y,h.z),n.setXYZ(d+1,h.x,h.y,h.z),n.setXYZ(d+2,h.x,h.y,h.z);this.normalizeNormals(),n.needsUpdate=!0}}normalizeNormals(){let e=this.attributes.normal;for(let t=0,n=e.count;t<n;t++)Lt.fromBufferAttribute(e,t),Lt.normalize(),e.setXYZ(t,Lt.x,Lt.y,Lt.z)}toNonIndexed(){function e(o,l){let c=o.array,h=o.itemSize,f=o.normalized,d=new c.constructor(l.length*h),u=0,p=0;for(let v=0,g=l.length;v<g;v++){o.isInterleavedBufferAttribute?u=l[v]*o.data.stride+o.offset:u=l[v]*h;for(let m=0;m<h;m++)d[p++]=c[u++]}return new vt(d,h,f)}if(this.index===null)return Pe("BufferGeometry.toNonIndexed(): BufferGeometry is already non-indexed."),this;let t=new i,n=this.index.array,s=this.attributes;for(let o in s){let l=s[o],c=e(l,n);t.setAttribute(o,c)}let r=this.morphAttributes;for(let o in r){let l=[],c=r[o];for(let h=0,f=c.length;h<f;h++){let d=c[h],u=e(d,n);l.push(u)}t.morphAttributes[o]=l}t.morphTargetsRelative=this.morphTargetsRelative;let a=this.groups;for(let o=0,l=a.length;o<l;o++){let c=a[o];t.addGroup(c.start,c.count,c.materialIndex)}return t}toJSON(){let e={metadata:{version:4.7,type:"BufferGeometry",generator:"BufferGeometry.toJSON"}};if(e.uuid=this.uuid,e.type=this.parameters!==void 0&&this._transformed===!0?"BufferGeometry":this.type,e.name=this.name,Object.keys(this.userData).length>0&&(e.userData=this.userData),this.parameters!==void 0&&this._transformed!==!0){let l=this.parameters;for(let c in l)l[c]!==void 0&&(e[c]=l[c]);return e}e.data={attributes:{}};let t=this.index;t!==null&&(e.data.index={type:t.array.constructor.name,array:Array.prototype.slice.call(t.array)});let n=this.attributes;for(let l in n){let c=n[l];e.data.attributes[l]=c.toJSON(e.data)}let s={},r=!1;for(let l in this.morphAttributes){let c=this.morphAttributes[l],h=[];for(let f=0,d=c.length;f<d;f++){let u=c[f];h.push(u.toJSON(e.data))}h.length>0&&(s[l]=h,r=!0)}r&&(e.data.morphAttributes=s,e.data.morphTargetsRelative=this.morphTargetsRelative);let a=this.groups;a.length>0&&(e.data.groups=JSON.parse(JSON.stringify(a)));let o=this.boundingSphere;return o!==null&&(e.data.boundingSphere=o.toJSON()),e}clone(){return new this.constructor().copy(this)}copy(e){this.index=null,this.attributes={},this.morphAttributes={},this.groups=[],this.boundingBox=null,this.boundingSphere=null;let t={};this.name=e.name;let n=e.index;n!==null&&this.setIndex(n.clone());let s=e.attributes;for(let c in s){let h=s[c];this.setAttribute(c,h.clone(t))}let r=e.morphAttributes;for(let c in r){let h=[],f=r[c];for(let d=0,u=f.length;d<u;d++)h.push(f[d].clone(t));this.morphAttributes[c]=h}this.morphTargetsRelative=e.morphTargetsRelative;let a=e.groups;for(let c=0,h=a.length;c<h;c++){let f=a[c];this.addGroup(f.start,f.count,f.materialIndex)}let o=e.boundingBox;o!==null&&(this.boundingBox=o.clone());let l=e.boundingSphere;return l!==null&&(this.boundingSphere=l.clone()),this.drawRange.start=e.drawRange.start,this.drawRange.count=e.drawRange.count,this.userData=e.userData,this._transformed=e._transformed,this}dispose(){this.dispatchEvent({type:"dispose"})}},ro=class{constructor(e,t){this.isInterleavedBuffer=!0,this.array=e,this.stride=t,this.count=e!==void 0?e.length/t:0,this.usage=eh,this.updateRanges=[],this.version=0,this.uuid=ts()}onUploadCallback(){}set needsUpdate(e){e===!0&&this.version++}setUsage(e){return this.usage=e,this}addUpdateRange(e,t){this.updateRanges.push({start:e,count:t})}clearUpdateRanges(){this.updateRanges.length=0}copy(e){return this.array=new e.array.constructor(e.array),this.count=e.count,this.stride=e.stride,this.usage=e.usage,this}copyAt(e,t,n){e*=this.stride,n*=t.stride;for(let s=0,r=this.stride;s<r;s++)this.array[e+s]=t.array[n+s];return this}set(e,t=0){return this.array.set(e,t),this}clone(e){e.arrayBuffers===void 0&&(e.arrayBuffers={});let t=ud(this.array);e.arrayBuffers[t]===void 0&&(e.arrayBuffers[t]=this.array.slice(0).buffer);let n=new this.array.constructor(e.arrayBuffers[t]),s=new this.constructor(n,this.stride);return s.setUsage(this.usage),s}onUpload(e){return this.onUploadCallback=e,this}toJSON(e){e.arrayBuffers===void 0&&(e.arrayBuffers={});let t=ud(this.array);e.arrayBuffers[t]===void 0&&(e.arrayBuffers[t]=Array.from(new Uint32Array(this.array.slice(0).buffer)));let n={uuid:this.uuid,buffer:t,type:this.array.constructor.name,stride:this.stride};return n.usage=this.usage,n}};function ud(i){return i.buffer._uuid===void 0&&(i.buffer._uuid=ts()),i.byteOffset===0&&i.byteLength===i.buffer.byteLength?i.buffer._uuid:i.buffer._uuid+":"+i.byteOffset+":"+i.byteLength}var Xt=new O,Is=class i{constructor(e,t,n,s=!1){this.isInterleavedBufferAttribute=!0,this.name="",this.data=e,this.itemSize=t,this.offset=n,this.normalized=s,this._normalizationScale=e!==void 0?cl(e.array):void 0}get count(){return this.data.count}get array(){return this.data.array}set needsUpdate(e){this.data.needsUpdate=e}applyMatrix4(e){for(let t=0,n=this.data.count;t<n;t++)Xt.fromBufferAttribute(this,t),Xt.applyMatrix4(e),this.setXYZ(t,Xt.x,Xt.y,Xt.z);return this}applyNormalMatrix(e){for(let t=0,n=this.count;t<n;t++)Xt.fromBufferAttribute(this,t),Xt.applyNormalMatrix(e),this.setXYZ(t,Xt.x,Xt.y,Xt.z);return this}transformDirection(e){for(let t=0,n=this.count;t<n;t++)Xt.fromBufferAttribute(this,t),Xt.transformDirection(e),this.setXYZ(t,Xt.x,Xt.y,Xt.z);return this}getComponent(e,t){let n=this.array[e*this.data.stride+this.offset+t];return this.normalized&&(n=this._denormalize(n)),n}setComponent(e,t,n){return this.normalized&&(n=this._normalize(n)),this.data.array[e*this.data.stride+this.offset+t]=n,this}setX(e,t){return this.normalized&&(t=this._normalize(t)),this.data.array[e*this.data.stride+this.offset]=t,this}setY(e,t){return this.normalized&&(t=this._normalize(t)),this.data.array[e*this.data.stride+this.offset+1]=t,this}setZ(e,t){return this.normalized&&(t=this._normalize(t)),this.data.array[e*this.data.stride+this.offset+2]=t,this}setW(e,t){return this.normalized&&(t=this._normalize(t)),this.data.array[e*this.data.stride+this.offset+3]=t,this}getX(e){let t=this.data.array[e*this.data.stride+this.offset];return this.normalized&&(t=this._denormalize(t)),t}getY(e){let t=this.data.array[e*this.data.stride+this.offset+1];return this.normalized&&(t=this._denormalize(t)),t}getZ(e){let t=this.data.array[e*this.data.stride+this.offset+2];return this.normalized&&(t=this._denormalize(t)),t}getW(e){let t=this.data.array[e*this.data.stride+this.offset+3];return this.normalized&&(t=this._denormalize(t)),t}setXY(e,t,n){return e=e*this.data.stride+this.offset,this.normalized&&(t=this._normalize(t),n=this._normalize(n)),this.data.array[e+0]=t,this.data.array[e+1]=n,this}setXYZ(e,t,n,s){return e=e*this.data.stride+this.offset,this.normalized&&(t=this._normalize(t),n=this._normalize(n),s=this._normalize(s)),this.data.array[e+0]=t,this.data.array[e+1]=n,this.data.array[e+2]=s,this}setXYZW(e,t,n,s,r){return e=e*this.data.stride+this.offset,this.normalized&&(t=this._normalize(t),n=this._normalize(n),s=this._normalize(s),r=this._normalize(r)),this.data.array[e+0]=t,this.data.array[e+1]=n,this.data.array[e+2]=s,this.data.array[e+3]=r,this}clone(e){if(e===void 0){br("InterleavedBufferAttribute.clone(): Cloning an interleaved buffer attribute will de-interleave buffer data.");let t=[];for(let n=0;n<this.count;n++){let s=n*this.data.stride+this.offset;for(let r=0;r<this.itemSize;r++)t.push(this.data.array[s+r])}return new vt(new this.array.constructor(t),this.itemSize,this.normalized)}else return e.interleavedBuffers===void 0&&(e.interleavedBuffers={}),e.interleavedBuffers[this.data.uuid]===void 0&&(e.interleavedBuffers[this.data.uuid]=this.data.clone(e)),new i(e.interleavedBuffers[this.data.uuid],this.itemSize,this.offset,this.normalized)}toJSON(e){if(e===void 0){br("InterleavedBufferAttribute.toJSON(): Serializing an interleaved buffer attribute will de-interleave buffer data.");let t=[];for(let n=0;n<this.count;n++){let s=n*this.data.stride+this.offset;for(let r=0;r<this.itemSize;r++)t.push(this.data.array[s+r])}return{itemSize:this.itemSize,type:this.array.constructor.name,array:t,normalized:this.normalized}}else return e.interleavedBuffers===void 0&&(e.interleavedBuffers={}),e.interleavedBuffers[this.data.uuid]===void 0&&(e.interleavedBuffers[this.data.uuid]=this.data.toJSON(e)),{isInterleavedBufferAttribute:!0,itemSize:this.itemSize,data:this.data.uuid,offset:this.offset,normalized:this.normalized}}_denormalize(e){let t=this._normalizationScale;return t!==void 0?Math.max(e/t,-1):of(e,this.data.array)}_normalize(e){let t=this._normalizationScale;return t!==void 0?Math.round(e*t):lf(e,this.data.array)}},vc=new O,sm=new O,rm=new De,Pn=class{constructor(e=new O(1,0,0),t=0){this.isPlane=!0,this.normal=e,this.constant=t}set(e,t){return this.normal.copy(e),this.constant=t,this}setComponents(e,t,n,s){return this.normal.set(e,t,n),this.constant=s,this}setFromNormalAndCoplanarPoint(e,t){return this.normal.copy(e),this.constant=-t.dot(this.normal),this}setFromCoplanarPoints(e,t,n){let s=vc.subVectors(n,t).cross(sm.subVectors(e,t)).normalize();return this.setFromNormalAndCoplanarPoint(s,e),this}copy(e){return this.normal.copy(e.normal),this.constant=e.constant,this}normalize(){let e=1/this.normal.length();return this.normal.multiplyScalar(e),this.constant*=e,this}negate(){return this.constant*=-1,this.normal.negate(),this}distanceToPoint(e){return this.normal.dot(e)+this.constant}distanceToSphere(e){return this.distanceToPoint(e.center)-e.radius}projectPoint(e,t){return t.copy(e).addScaledVector(this.normal,-this.distanceToPoint(e))}intersectLine(e,t,n=!0){let s=e.delta(vc),r=this.normal.dot(s);if(r===0)return this.distanceToPoint(e.start)===0?t.copy(e.start):null;let a=-(e.start.dot(this.normal)+this.constant)/r;return n===!0&&(a<0||a>1)?null:t.copy(e.start).addScaledVector(s,a)}intersectsLine(e){let t=this.distanceToPoint(e.start),n=this.distanceToPoint(e.end);return t<0&&n>0||n<0&&t>0}intersectsBox(e){return e.intersectsPlane(this)}intersectsSphere(e){return e.intersectsPlane(this)}coplanarPoint(e){return e.copy(this.normal).multiplyScalar(-this.constant)}applyMatrix4(e,t){let n=t||rm.getNormalMatrix(e),s=this.coplanarPoint(vc).applyMatrix4(e),r=this.normal.applyMatrix3(n).normalize();return this.constant=-s.dot(r),this}translate(e){return this.constant-=e.dot(this.normal),this}equals(e){return e.normal.equals(this.normal)&&e.constant===this.constant}clone(){return new this.constructor().copy(this)}toJSON(){return{normal:this.normal.toArray(),constant:this.constant}}fromJSON(e){return this.normal.fromArray(e.normal),this.constant=e.constant,this}},am=0,Ti=class extends Hn{constructor(){super(),this.isMaterial=!0,Object.defineProperty(this,"id",{value:am++}),this.uuid=ts(),this.name="",this.type="Material",this.blending=Us,this.side=Pi,this.vertexColors=!1,this.opacity=1,this.transparent=!1,this.alphaHash=!1,this.blendSrc=Nc,this.blendDst=Dc,this.blendEquation=ji,this.blendSrcAlpha=null,this.blendDstAlpha=null,this.blendEquationAlpha=null,this.blendColor=new Be(0,0,0),this.blendAlpha=0,this.depthFunc=Es,this.depthTest=!0,this.depthWrite=!0,this.stencilWriteMask=255,this.stencilFunc=Jd,this.stencilRef=0,this.stencilFuncMask=255,this.stencilFail=Wa,this.stencilZFail=Wa,this.stencilZPass=Wa,this.stencilWrite=!1,this.clippingPlanes=null,this.clipIntersection=!1,this.clipShadows=!1,this.shadowSide=null,this.colorWrite=!0,this.precision=null,this.polygonOffset=!1,this.polygonOffsetFactor=0,this.polygonOffsetUnits=0,this.dithering=!1,this.alphaToCoverage=!1,this.premultipliedAlpha=!1,this.forceSinglePass=!1,this.allowOverride=!0,this.visible=!0,this.toneMapped=!0,this.userData={},this.version=0,this._alphaTest=0}get alphaTest(){return this._alphaTest}set alphaTest(e){this._alphaTest>0!=e>0&&this.version++,this._alphaTest=e}onBeforeRender(){}onBeforeCompile(){}customProgramCacheKey(){return this.onBeforeCompile.toString()}setValues(e){if(e!==void 0)for(let t in e){let n=e[t];if(n===void 0){Pe(`Material: parameter '${t}' has value of undefined.`);continue}let s=this[t];if(s===void 0){Pe(`Material: '${t}' is not a property of THREE.${this.type}.`);continue}s&&s.isColor?s.set(n):s&&s.isVector2&&n&&n.isVector2||s&&s.isEuler&&n&&n.isEuler||s&&s.isVector3&&n&&n.isVector3?s.copy(n):this[t]=n}}toJSON(e){let t=e===void 0||typeof e=="string";t&&(e={textures:{},images:{}});let n={metadata:{version:4.7,type:"Material",generator:"Material.toJSON"}};n.uuid=this.uuid,n.type=this.type,n.blending=this.blending,n.side=this.side,n.shadowSide=this.shadowSide,n.vertexColors=this.vertexColors,n.opacity=this.opacity,n.transparent=this.transparent,n.blendSrc=this.blendSrc,n.blendDst=this.blendDst,n.blendEquation=this.blendEquation,n.blendSrcAlpha=this.blendSrcAlpha,n.blendDstAlpha=this.blendDstAlpha,n.blendEquationAlpha=this.blendEquationAlpha,n.blendColor=this.blendColor.getHex(),n.blendAlpha=this.blendAlpha,n.depthFunc=this.depthFunc,n.depthTest=this.depthTest,n.depthWrite=this.depthWrite,n.colorWrite=this.colorWrite,n.clipIntersection=this.clipIntersection,n.clipShadows=this.clipShadows,n.stencilWriteMask=this.stencilWriteMask,n.stencilFunc=this.stencilFunc,n.stencilRef=this.stencilRef,n.stencilFuncMask=this.stencilFuncMask,n.stencilFail=this.stencilFail,n.stencilZFail=this.stencilZFail,n.stencilZPass=this.stencilZPass,n.stencilWrite=this.stencilWrite,n.polygonOffset=this.polygonOffset,n.polygonOffsetFactor=this.polygonOffsetFactor,n.polygonOffsetUnits=this.polygonOffsetUnits,n.dithering=this.dithering,n.alphaTest=this.alphaTest,n.alphaHash=this.alphaHash,n.alphaToCoverage=this.alphaToCoverage,n.premultipliedAlpha=this.premultipliedAlpha,n.forceSinglePass=this.forceSinglePass,n.allowOverride=this.allowOverride,n.visible=this.visible,n.toneMapped=this.toneMapped,n.name=this.name,this.color&&this.color.isColor&&(n.color=this.color.getHex()),this.roughness!==void 0&&(n.roughness=this.roughness),this.metalness!==void 0&&(n.metalness=this.metalness),this.sheen!==void 0&&(n.sheen=this.sheen),this.sheenColor&&this.sheenColor.isColor&&(n.sheenColor=this.sheenColor.getHex()),this.sheenRoughness!==void 0&&(n.sheenRoughness=this.sheenRoughness),this.emissive&&this.emissive.isColor&&(n.emissive=this.emissive.getHex()),this.emissiveIntensity!==void 0&&(n.emissiveIntensity=this.emissiveIntensity),this.specular&&this.specular.isColor&&(n.specular=this.specular.getHex()),this.specularIntensity!==void 0&&(n.specularIntensity=this.specularIntensity),this.specularColor&&this.specularColor.isColor&&(n.specularColor=this.specularColor.getHex()),this.shininess!==void 0&&(n.shininess=this.shininess),this.clearcoat!==void 0&&(n.clearcoat=this.clearcoat),this.clearcoatRoughness!==void 0&&(n.clearcoatRoughness=this.clearcoatRoughness),this.diffuseRoughness!==void 0&&(n.diffuseRoughness=this.diffuseRoughness),this.diffuseRoughnessMap&&this.diffuseRoughnessMap.isTexture&&(n.diffuseRoughnessMap=this.diffuseRoughnessMap.toJSON(e).uuid),this.clearcoatMap&&this.clearcoatMap.isTexture&&(n.clearcoatMap=this.clearcoatMap.toJSON(e).uuid),this.clearcoatRoughnessMap&&this.clearcoatRoughnessMap.isTexture&&(n.clearcoatRoughnessMap=this.clearcoatRoughnessMap.toJSON(e).uuid),this.clearcoatNormalMap&&this.clearcoatNormalMap.isTexture&&(n.clearcoatNormalMap=this.clearcoatNormalMap.toJSON(e).uuid,n.clearcoatNormalScale=this.clearcoatNormalScale.toArray()),this.sheenColorMap&&this.sheenColorMap.isTexture&&(n.sheenColorMap=this.sheenColorMap.toJSON(e).uuid),this.sheenRoughnessMap&&this.sheenRoughnessMap.isTexture&&(n.sheenRoughnessMap=this.sheenRoughnessMap.toJSON(e).uuid),this.dispersion!==void 0&&(n.dispersion=this.dispersion),this.retroreflectivity!==void 0&&(n.retroreflectivity=this.retroreflectivity),this.iridescence!==void 0&&(n.iridescence=this.iridescence),this.iridescenceIOR!==void 0&&(n.iridescenceIOR=this.iridescenceIOR),this.iridescenceThicknessMinimum!==void 0&&(n.iridescenceThicknessMinimum=this.iridescenceThicknessMinimum),this.iridescenceThicknessMaximum!==void 0&&(n.iridescenceThicknessMaximum=this.iridescenceThicknessMaximum),this.iridescenceMap&&this.iridescenceMap.isTexture&&(n.iridescenceMap=this.iridescenceMap.toJSON(e).uuid),this.iridescenceThicknessMap&&this.iridescenceThicknessMap.isTexture&&(n.iridescenceThicknessMap=this.iridescenceThicknessMap.toJSON(e).uuid),this.anisotropy!==void 0&&(n.anisotropy=this.anisotropy),this.anisotropyRotation!==void 0&&(n.anisotropyRotation=this.anisotropyRotation),this.anisotropyMap&&this.anisotropyMap.isTexture&&(n.anisotropyMap=this.anisotropyMap.toJSON(e).uuid),this.map&&this.map.isTexture&&(n.map=this.map.toJSON(e).uuid),this.matcap&&this.matcap.isTexture&&(n.matcap=this.matcap.toJSON(e).uuid),this.alphaMap&&this.alphaMap.isTexture&&(n.alphaMap=this.alphaMap.toJSON(e).uuid),this.lightMap&&this.lightMap.isTexture&&(n.lightMap=this.lightMap.toJSON(e).uuid,n.lightMapIntensity=this.lightMapIntensity),this.aoMap&&this.aoMap.isTexture&&(n.aoMap=this.aoMap.toJSON(e).uuid,n.aoMapIntensity=this.aoMapIntensity),this.bumpMap&&this.bumpMap.isTexture&&(n.bumpMap=this.bumpMap.toJSON(e).uuid,n.bumpScale=this.bumpScale),this.normalMap&&this.normalMap.isTexture&&(n.normalMap=this.normalMap.toJSON(e).uuid,n.normalMapType=this.normalMapType,n.normalScale=this.normalScale.toArray()),this.displacementMap&&this.displacementMap.isTexture&&(n.displacementMap=this.displacementMap.toJSON(e).uuid,n.displacementScale=this.displacementScale,n.displacementBias=this.displacementBias),this.roughnessMap&&this.roughnessMap.isTexture&&(n.roughnessMap=this.roughnessMap.toJSON(e).uuid),this.metalnessMap&&this.metalnessMap.isTexture&&(n.metalnessMap=this.metalnessMap.toJSON(e).uuid),this.emissiveMap&&this.emissiveMap.isTexture&&(n.emissiveMap=this.emissiveMap.toJSON(e).uuid),this.specularMap&&this.specularMap.isTexture&&(n.specularMap=this.specularMap.toJSON(e).uuid),this.specularIntensityMap&&this.specularIntensityMap.isTexture&&(n.specularIntensityMap=this.specularIntensityMap.toJSON(e).uuid),this.specularColorMap&&this.specularColorMap.isTexture&&(n.specularColorMap=this.specularColorMap.toJSON(e).uuid),this.envMap&&this.envMap.isTexture&&(n.envMap=this.envMap.toJSON(e).uuid,this.combine!==void 0&&(n.combine=this.combine)),this.envMapRotation!==void 0&&(n.envMapRotation=this.envMapRotation.toArray()),this.envMapIntensity!==void 0&&(n.envMapIntensity=this.envMapIntensity),this.reflectivity!==void 0&&(n.reflectivity=this.reflectivity),this.refractionRatio!==void 0&&(n.refractionRatio=this.refractionRatio),this.gradientMap&&this.gradientMap.isTexture&&(n.gradientMap=this.gradientMap.toJSON(e).uuid),this.transmission!==void 0&&(n.transmission=this.transmission),this.transmissionMap&&this.transmissionMap.isTexture&&(n.transmissionMap=this.transmissionMap.toJSON(e).uuid),this.thickness!==void 0&&(n.thickness=this.thickness),this.thicknessMap&&this.thicknessMap.isTexture&&(n.thicknessMap=this.thicknessMap.toJSON(e).uuid),this.attenuationDistance!==void 0&&(n.attenuationDistance=this.attenuationDistance),this.attenuationColor!==void 0&&(n.attenuationColor=this.attenuationColor.getHex()),this.size!==void 0&&(n.size=this.size),this.sizeAttenuation!==void 0&&(n.sizeAttenuation=this.sizeAttenuation),Array.isArray(this.clippingPlanes)&&this.clippingPlanes.length>0&&(n.clippingPlanes=this.clippingPlanes.map(r=>r.toJSON())),this.rotation!==void 0&&(n.rotation=this.rotation),this.depthPacking!==void 0&&(n.depthPacking=this.depthPacking),this.linewidth!==void 0&&(n.linewidth=this.linewidth),this.linecap!==void 0&&(n.linecap=this.linecap),this.linejoin!==void 0&&(n.linejoin=this.linejoin),this.dashSize!==void 0&&(n.dashSize=this.dashSize),this.gapSize!==void 0&&(n.gapSize=this.gapSize),this.scale!==void 0&&(n.scale=this.scale),this.wireframe!==void 0&&(n.wireframe=this.wireframe),this.wireframeLinewidth!==void 0&&(n.wireframeLinewidth=this.wireframeLinewidth),this.wireframeLinecap!==void 0&&(n.wireframeLinecap=this.wireframeLinecap),this.wireframeLinejoin!==void 0&&(n.wireframeLinejoin=this.wireframeLinejoin),this.flatShading!==void 0&&(n.flatShading=this.flatShading),this.fog!==void 0&&(n.fog=this.fog),Object.keys(this.userData).length>0&&(n.userData=this.userData);function s(r){let a=[];for(let o in r){let l=r[o];delete l.metadata,a.push(l)}return a}if(t){let r=s(e.textures),a=s(e.images);r.length>0&&(n.textures=r),a.length>0&&(n.images=a)}return n}fromJSON(e,t){if(e.uuid!==void 0&&(this.uuid=e.uuid),e.name!==void 0&&(this.name=e.name),e.color!==void 0&&this.color!==void 0&&this.color.setHex(e.color),e.roughness!==void 0&&(this.roughness=e.roughness),e.metalness!==void 0&&(this.metalness=e.metalness),e.sheen!==void 0&&(this.sheen=e.sheen),e.sheenColor!==void 0&&(this.sheenColor=new Be().setHex(e.sheenColor)),e.sheenRoughness!==void 0&&(this.sheenRoughness=e.sheenRoughness),e.emissive!==void 0&&this.emissive!==void 0&&this.emissive.setHex(e.emissive),e.specular!==void 0&&this.specular!==void 0&&this.specular.setHex(e.specular),e.specularIntensity!==void 0&&(this.specularIntensity=e.specularIntensity),e.specularColor!==void 0&&this.specularColor!==void 0&&this.specularColor.setHex(e.specularColor),e.shininess!==void 0&&(this.shininess=e.shininess),e.clearcoat!==void 0&&(this.clearcoat=e.clearcoat),e.clearcoatRoughness!==void 0&&(this.clearcoatRoughness=e.clearcoatRoughness),e.diffuseRoughness!==void 0&&(this.diffuseRoughness=e.diffuseRoughness),e.dispersion!==void 0&&(this.dispersion=e.dispersion),e.retroreflectivity!==void 0&&(this.retroreflectivity=e.retroreflectivity),e.iridescence!==void 0&&(this.iridescence=e.iridescence),e.iridescenceIOR!==void 0&&(this.iridescenceIOR=e.iridescenceIOR),e.iridescenceThicknessMinimum!==void 0&&(this.iridescenceThicknessMinimum=e.iridescenceThicknessMinimum),e.iridescenceThicknessMaximum!==void 0&&(this.iridescenceThicknessMaximum=e.iridescenceThicknessMaximum),e.iridescenceThicknessRange!==void 0&&(this.iridescenceThicknessMinimum=e.iridescenceThicknessRange[0],this.iridescenceThicknessMaximum=e.iridescenceThicknessRange[1]),e.transmission!==void 0&&(this.transmission=e.transmission),e.thickness!==void 0&&(this.thickness=e.thickness),e.attenuationDistance!==void 0&&(this.attenuationDistance=e.attenuationDistance),e.attenuationColor!==void 0&&this.attenuationColor!==void 0&&this.attenuationColor.setHex(e.attenuationColor),e.anisotropy!==void 0&&(this.anisotropy=e.anisotropy),e.anisotropyRotation!==void 0&&(this.anisotropyRotation=e.anisotropyRotation),e.fog!==void 0&&(this.fog=e.fog),e.flatShading!==void 0&&(this.flatShading=e.flatShading),e.blending!==void 0&&(this.blending=e.blending),e.combine!==void 0&&(this.combine=e.combine),e.side!==void 0&&(this.side=e.side),e.shadowSide!==void 0&&(this.shadowSide=e.shadowSide),e.opacity!==void 0&&(this.opacity=e.opacity),e.transparent!==void 0&&(this.transparent=e.transparent),e.alphaTest!==void 0&&(this.alphaTest=e.alphaTest),e.alphaHash!==void 0&&(this.alphaHash=e.alphaHash),e.depthFunc!==void 0&&(this.depthFunc=e.depthFunc),e.depthTest!==void 0&&(this.depthTest=e.depthTest),e.depthWrite!==void 0&&(this.depthWrite=e.depthWrite),e.colorWrite!==void 0&&(this.colorWrite=e.colorWrite),e.clippingPlanes!==void 0&&(this.clippingPlanes=e.clippingPlanes.map(n=>new Pn().fromJSON(n))),e.clipIntersection!==void 0&&(this.clipIntersection=e.clipIntersection),e.clipShadows!==void 0&&(this.clipShadows=e.clipShadows),e.depthPacking!==void 0&&(this.depthPacking=e.depthPacking),e.blendSrc!==void 0&&(this.blendSrc=e.blendSrc),e.blendDst!==void 0&&(this.blendDst=e.blendDst),e.blendEquation!==void 0&&(this.blendEquation=e.blendEquation),e.blendSrcAlpha!==void 0&&(this.blendSrcAlpha=e.blendSrcAlpha),e.blendDstAlpha!==void 0&&(this.blendDstAlpha=e.blendDstAlpha),e.blendEquationAlpha!==void 0&&(this.blendEquationAlpha=e.blendEquationAlpha),e.blendColor!==void 0&&this.blendColor!==void 0&&this.blendColor.setHex(e.blendColor),e.blendAlpha!==void 0&&(this.blendAlpha=e.blendAlpha),e.stencilWriteMask!==void 0&&(this.stencilWriteMask=e.stencilWriteMask),e.stencilFunc!==void 0&&(this.stencilFunc=e.stencilFunc),e.stencilRef!==void 0&&(this.stencilRef=e.stencilRef),e.stencilFuncMask!==void 0&&(this.stencilFuncMask=e.stencilFuncMask),e.stencilFail!==void 0&&(this.stencilFail=e.stencilFail),e.stencilZFail!==void 0&&(this.stencilZFail=e.stencilZFail),e.stencilZPass!==void 0&&(this.stencilZPass=e.stencilZPass),e.stencilWrite!==void 0&&(this.stencilWrite=e.stencilWrite),e.wireframe!==void 0&&(this.wireframe=e.wireframe),e.wireframeLinewidth!==void 0&&(this.wireframeLinewidth=e.wireframeLinewidth),e.wireframeLinecap!==void 0&&(this.wireframeLinecap=e.wireframeLinecap),e.wireframeLinejoin!==void 0&&(this.wireframeLinejoin=e.wireframeLinejoin),e.rotation!==void 0&&(this.rotation=e.rotation),e.linewidth!==void 0&&(this.linewidth=e.linewidth),e.linecap!==void 0&&(this.linecap=e.linecap),e.linejoin!==void 0&&(this.linejoin=e.linejoin),e.dashSize!==void 0&&(this.dashSize=e.dashSize),e.gapSize!==void 0&&(this.gapSize=e.gapSize),e.scale!==void 0&&(this.scale=e.scale),e.polygonOffset!==void 0&&(this.polygonOffset=e.polygonOffset),e.polygonOffsetFactor!==void 0&&(this.polygonOffsetFactor=e.polygonOffsetFactor),e.polygonOffsetUnits!==void 0&&(this.polygonOffsetUnits=e.polygonOffsetUnits),e.dithering!==void 0&&(this.dithering=e.dithering),e.alphaToCoverage!==void 0&&(this.alphaToCoverage=e.alphaToCoverage),e.premultipliedAlpha!==void 0&&(this.premultipliedAlpha=e.premultipliedAlpha),e.forceSinglePass!==void 0&&(this.forceSinglePass=e.forceSinglePass),e.allowOverride!==void 0&&(this.allowOverride=e.allowOverride),e.visible!==void 0&&(this.visible=e.visible),e.toneMapped!==void 0&&(this.toneMapped=e.toneMapped),e.userData!==void 0&&(this.userData=e.userData),e.vertexColors!==void 0&&(typeof e.vertexColors=="number"?this.vertexColors=e.vertexColors>0:this.vertexColors=e.vertexColors),e.size!==void 0&&(this.size=e.size),e.sizeAttenuation!==void 0&&(this.sizeAttenuation=e.sizeAttenuation),e.map!==void 0&&(this.map=t[e.map]||null),e.matcap!==void 0&&(this.matcap=t[e.matcap]||null),e.alphaMap!==void 0&&(this.alphaMap=t[e.alphaMap]||null),e.bumpMap!==void 0&&(this.bumpMap=t[e.bumpMap]||null),e.bumpScale!==void 0&&(this.bumpScale=e.bumpScale),e.normalMap!==void 0&&(this.normalMap=t[e.normalMap]||null),e.normalMapType!==void 0&&(this.normalMapType=e.normalMapType),e.normalScale!==void 0){let n=e.normalScale;Array.isArray(n)===!1&&(n=[n,n]),this.normalScale=new Ve().fromArray(n)}return e.displacementMap!==void 0&&(this.displacementMap=t[e.displacementMap]||null),e.displacementScale!==void 0&&(this.displacementScale=e.displacementScale),e.displacementBias!==void 0&&(this.displacementBias=e.displacementBias),e.roughnessMap!==void 0&&(this.roughnessMap=t[e.roughnessMap]||null),e.metalnessMap!==void 0&&(this.metalnessMap=t[e.metalnessMap]||null),e.emissiveMap!==void 0&&(this.emissiveMap=t[e.emissiveMap]||null),e.emissiveIntensity!==void 0&&(this.emissiveIntensity=e.emissiveIntensity),e.specularMap!==void 0&&(this.specularMap=t[e.specularMap]||null),e.specularIntensityMap!==void 0&&(this.specularIntensityMap=t[e.specularIntensityMap]||null),e.specularColorMap!==void 0&&(this.specularColorMap=t[e.specularColorMap]||null),e.envMap!==void 0&&(this.envMap=t[e.envMap]||null),e.envMapRotation!==void 0&&this.envMapRotation.fromArray(e.envMapRotation),e.envMapIntensity!==void 0&&(this.envMapIntensity=e.envMapIntensity),e.reflectivity!==void 0&&(this.reflectivity=e.reflectivity),e.refractionRatio!==void 0&&(this.refractionRatio=e.refractionRatio),e.lightMap!==void 0&&(this.lightMap=t[e.lightMap]||null),e.lightMapIntensity!==void 0&&(this.lightMapIntensity=e.lightMapIntensity),e.aoMap!==void 0&&(this.aoMap=t[e.aoMap]||null),e.aoMapIntensity!==void 0&&(this.aoMapIntensity=e.aoMapIntensity),e.gradientMap!==void 0&&(this.gradientMap=t[e.gradientMap]||null),e.clearcoatMap!==void 0&&(this.clearcoatMap=t[e.clearcoatMap]||null),e.clearcoatRoughnessMap!==void 0&&(this.clearcoatRoughnessMap=t[e.clearcoatRoughnessMap]||null),e.clearcoatNormalMap!==void 0&&(this.clearcoatNormalMap=t[e.clearcoatNormalMap]||null),e.clearcoatNormalScale!==void 0&&(this.clearcoatNormalScale=new Ve().fromArray(e.clearcoatNormalScale)),e.diffuseRoughnessMap!==void 0&&(this.diffuseRoughnessMap=t[e.diffuseRoughnessMap]||null),e.iridescenceMap!==void 0&&(this.iridescenceMap=t[e.iridescenceMap]||null),e.iridescenceThicknessMap!==void 0&&(this.iridescenceThicknessMap=t[e.iridescenceThicknessMap]||null),e.transmissionMap!==void 0&&(this.transmissionMap=t[e.transmissionMap]||null),e.thicknessMap!==void 0&&(this.thicknessMap=t[e.thicknessMap]||null),e.anisotropyMap!==void 0&&(this.anisotropyMap=t[e.anisotropyMap]||null),e.sheenColorMap!==void 0&&(this.sheenColorMap=t[e.sheenColorMap]||null),e.sheenRoughnessMap!==void 0&&(this.sheenRoughnessMap=t[e.sheenRoughnessMap]||null),this}clone(){return new this.constructor().copy(this)}copy(e){this.name=e.name,this.blending=e.blending,this.side=e.side,this.vertexColors=e.vertexColors,this.opacity=e.opacity,this.transparent=e.transparent,this.blendSrc=e.blendSrc,this.blendDst=e.blendDst,this.blendEquation=e.blendEquation,this.blendSrcAlpha=e.blendSrcAlpha,this.blendDstAlpha=e.blendDstAlpha,this.blendEquationAlpha=e.blendEquationAlpha,this.blendColor.copy(e.blendColor),this.blendAlpha=e.blendAlpha,this.depthFunc=e.depthFunc,this.depthTest=e.depthTest,this.depthWrite=e.depthWrite,this.stencilWriteMask=e.stencilWriteMask,this.stencilFunc=e.stencilFunc,this.stencilRef=e.stencilRef,this.stencilFuncMask=e.stencilFuncMask,this.stencilFail=e.stencilFail,this.stencilZFail=e.stencilZFail,this.stencilZPass=e.stencilZPass,this.stencilWrite=e.stencilWrite;let t=e.clippingPlanes,n=null;if(t!==null){let s=t.length;n=new Array(s);for(let r=0;r!==s;++r)n[r]=t[r].clone()}return this.clippingPlanes=n,this.clipIntersection=e.clipIntersection,this.clipShadows=e.clipShadows,this.shadowSide=e.shadowSide,this.colorWrite=e.colorWrite,this.precision=e.precision,this.polygonOffset=e.polygonOffset,this.polygonOffsetFactor=e.polygonOffsetFactor,this.polygonOffsetUnits=e.polygonOffsetUnits,this.dithering=e.dithering,this.alphaTest=e.alphaTest,this.alphaHash=e.alphaHash,this.alphaToCoverage=e.alphaToCoverage,this.premultipliedAlpha=e.premultipliedAlpha,this.forceSinglePass=e.forceSinglePass,this.allowOverride=e.allowOverride,this.visible=e.visible,this.toneMapped=e.toneMapped,this.userData=JSON.parse(JSON.stringify(e.userData)),this}dispose(){this.dispatchEvent({type:"dispose"})}set needsUpdate(e){e===!0&&this.version++}};var ri=new O,_c=new O,Ca=new O,Ra=new O,Er=class{constructor(e=new O,t=new O(0,0,-1)){this.origin=e,this.direction=t}set(e,t){return this.origin.copy(e),this.direction.copy(t),this}copy(e){return this.origin.copy(e.origin),this.direction.copy(e.direction),this}at(e,t){return t.copy(this.origin).addScaledVector(this.direction,e)}lookAt(e){return this.direction.copy(e).sub(this.origin).normalize(),this}recast(e){return this.origin.copy(this.at(e,ri)),this}closestPointToPoint(e,t){t.subVectors(e,this.origin);let n=t.dot(this.direction);return n<0?t.copy(this.origin):t.copy(this.origin).addScaledVector(this.direction,n)}distanceToPoint(e){return Math.sqrt(this.distanceSqToPoint(e))}distanceSqToPoint(e){let t=ri.subVectors(e,this.origin).dot(this.direction);return t<0?this.origin.distanceToSquared(e):(ri.copy(this.origin).addScaledVector(this.direction,t),ri.distanceToSquared(e))}distanceSqToSegment(e,t,n,s){_c.copy(e).add(t).multiplyScalar(.5),Ca.copy(t).sub(e).normalize(),Ra.copy(this.origin).sub(_c);let r=e.distanceTo(t)*.5,a=-this.direction.dot(Ca),o=Ra.dot(this.direction),l=-Ra.dot(Ca),c=Ra.lengthSq(),h=Math.abs(1-a*a),f,d,u,p;if(h>0)if(f=a*l-o,d=a*o-l,p=r*h,f>=0)if(d>=-p)if(d<=p){let v=1/h;f*=v,d*=v,u=f*(f+a*d+2*o)+d*(a*f+d+2*l)+c}else d=r,f=Math.max(0,-(a*d+o)),u=-f*f+d*(d+2*l)+c;else d=-r,f=Math.max(0,-(a*d+o)),u=-f*f+d*(d+2*l)+c;else d<=-p?(f=Math.max(0,-(-a*r+o)),d=f>0?-r:Math.min(Math.max(-r,-l),r),u=-f*f+d*(d+2*l)+c):d<=p?(f=0,d=Math.min(Math.max(-r,-l),r),u=d*(d+2*l)+c):(f=Math.max(0,-(a*r+o)),d=f>0?r:Math.min(Math.max(-r,-l),r),u=-f*f+d*(d+2*l)+c);else d=a>0?-r:r,f=Math.max(0,-(a*d+o)),u=-f*f+d*(d+2*l)+c;return n&&n.copy(this.origin).addScaledVector(this.direction,f),s&&s.copy(_c).addScaledVector(Ca,d),u}intersectSphere(e,t){if(e.radius<0)return null;ri.subVectors(e.center,this.origin);let n=ri.dot(this.direction),s=ri.dot(ri)-n*n,r=e.radius*e.radius;if(s>r)return null;let a=Math.sqrt(r-s),o=n-a,l=n+a;return l<0?null:o<0?this.at(l,t):this.at(o,t)}intersectsSphere(e){return e.radius<0?!1:this.distanceSqToPoint(e.center)<=e.radius*e.radius}distanceToPlane(e){let t=e.normal.dot(this.direction);if(t===0)return e.distanceToPoint(this.origin)===0?0:null;let n=-(this.origin.dot(e.normal)+e.constant)/t;return n>=0?n:null}intersectPlane(e,t){let n=this.distanceToPlane(e);return n===null?null:this.at(n,t)}intersectsPlane(e){let t=e.distanceToPoint(this.origin);return t===0||e.normal.dot(this.direction)*t<0}intersectBox(e,t){let n,s,r,a,o,l,c=1/this.direction.x,h=1/this.direction.y,f=1/this.direction.z,d=this.origin;return c>=0?(n=(e.min.x-d.x)*c,s=(e.max.x-d.x)*c):(n=(e.max.x-d.x)*c,s=(e.min.x-d.x)*c),h>=0?(r=(e.min.y-d.y)*h,a=(e.max.y-d.y)*h):(r=(e.max.y-d.y)*h,a=(e.min.y-d.y)*h),n>a||r>s||((r>n||isNaN(n))&&(n=r),(a<s||isNaN(s))&&(s=a),f>=0?(o=(e.min.z-d.z)*f,l=(e.max.z-d.z)*f):(o=(e.max.z-d.z)*f,l=(e.min.z-d.z)*f),n>l||o>s)||((o>n||n!==n)&&(n=o),(l<s||s!==s)&&(s=l),s<0)?null:this.at(n>=0?n:s,t)}intersectsBox(e){return this.intersectBox(e,ri)!==null}intersectTriangle(e,t,n,s,r){let a=this.origin,o=this.direction,l=o.x,c=o.y,h=o.z,f=e.x-a.x,d=e.y-a.y,u=e.z-a.z,p=t.x-a.x,v=t.y-a.y,g=t.z-a.z,m=n.x-a.x,_=n.y-a.y,E=n.z-a.z,M=Math.abs(l),A=Math.abs(c),w=Math.abs(h),x,S,F,P,N,B,q,I,G,X,z,ee;if(M>=A&&M>=w?(F=l,B=f,G=p,ee=m,l>=0?(x=c,S=h,P=d,N=u,q=v,I=g,X=_,z=E):(x=h,S=c,P=u,N=d,q=g,I=v,X=E,z=_)):A>=w?(F=c,B=d,G=v,ee=_,c>=0?(x=h,S=l,P=u,N=f,q=g,I=p,X=E,z=m):(x=l,S=h,P=f,N=u,q=p,I=g,X=m,z=E)):(F=h,B=u,G=g,ee=E,h>=0?(x=l,S=c,P=f,N=d,q=p,I=v,X=m,z=_):(x=c,S=l,P=d,N=f,q=v,I=p,X=_,z=m)),F===0)return null;let H=x/F,K=S/F,te=1/F,ve=P-H*B,Ae=N-K*B,$=q-H*G,se=I-K*G,pe=X-H*ee,Te=z-K*ee,me=pe*se-Te*$,Ie=ve*Te-Ae*pe,at=$*Ae-se*ve;if(s){if(me<0||Ie<0||at<0)return null}else if((me<0||Ie<0||at<0)&&(me>0||Ie>0||at>0))return null;let Ce=me+Ie+at;if(Ce===0)return null;let $e=te*(me*B+Ie*G+at*ee);return(Ce>0?$e<0:$e>0)?null:this.at($e/Ce,r)}applyMatrix4(e){return this.origin.applyMatrix4(e),this.direction.transformDirection(e),this}equals(e){return e.origin.equals(this.origin)&&e.direction.equals(this.direction)}clone(){return new this.constructor().copy(this)}},ao=class extends Ti{constructor(e){super(),this.isMeshBasicMaterial=!0,this.type="MeshBasicMaterial",this.color=new Be(16777215),this.map=null,this.lightMap=null,this.lightMapIntensity=1,this.aoMap=null,this.aoMapIntensity=1,this.specularMap=null,this.alphaMap=null,this.envMap=null,this.envMapRotation=new wi,this.combine=Fc,this.reflectivity=1,this.refractionRatio=.98,this.wireframe=!1,this.wireframeLinewidth=1,this.wireframeLinecap="round",this.wireframeLinejoin="round",this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.lightMap=e.lightMap,this.lightMapIntensity=e.lightMapIntensity,this.aoMap=e.aoMap,this.aoMapIntensity=e.aoMapIntensity,this.specularMap=e.specularMap,this.alphaMap=e.alphaMap,this.envMap=e.envMap,this.envMapRotation.copy(e.envMapRotation),this.combine=e.combine,this.reflectivity=e.reflectivity,this.refractionRatio=e.refractionRatio,this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this.wireframeLinecap=e.wireframeLinecap,this.wireframeLinejoin=e.wireframeLinejoin,this.fog=e.fog,this}},dd=new rt,qi=new Er,Pa=new Yi,fd=new O,Ia=new O,La=new O,Na=new O,bc=new O,Da=new O,pd=new O,Fa=new O,en=class extends ln{constructor(e=new Qt,t=new ao){super(),this.isMesh=!0,this.type="Mesh",this.geometry=e,this.material=t,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.count=1,this.updateMorphTargets()}copy(e,t){return super.copy(e,t),e.morphTargetInfluences!==void 0?this.morphTargetInfluences=e.morphTargetInfluences.slice():this.morphTargetInfluences=void 0,e.morphTargetDictionary!==void 0?this.morphTargetDictionary=Object.assign({},e.morphTargetDictionary):this.morphTargetDictionary=void 0,this.material=Array.isArray(e.material)?e.material.slice():e.material,this.geometry=e.geometry,this}updateMorphTargets(){let t=this.geometry.morphAttributes,n=Object.keys(t);if(n.length>0){let s=t[n[0]];if(s!==void 0){this.morphTargetInfluences=[],this.morphTargetDictionary={};for(let r=0,a=s.length;r<a;r++){let o=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[o]=r}}}}getVertexPosition(e,t){let n=this.geometry,s=n.attributes.position,r=n.morphAttributes.position,a=n.morphTargetsRelative;t.fromBufferAttribute(s,e);let o=this.morphTargetInfluences;if(r&&o){Da.set(0,0,0);for(let l=0,c=r.length;l<c;l++){let h=o[l],f=r[l];h!==0&&(bc.fromBufferAttribute(f,e),a?Da.addScaledVector(bc,h):Da.addScaledVector(bc.sub(t),h))}t.add(Da)}return t}intersectsFrustum(e){return e.intersectsObject(this)}raycast(e,t){let n=this.geometry,s=this.material,r=this.matrixWorld;s!==void 0&&(n.boundingSphere===null&&n.computeBoundingSphere(),Pa.copy(n.boundingSphere),Pa.applyMatrix4(r),qi.copy(e.ray).recast(e.near),!(Pa.containsPoint(qi.origin)===!1&&(qi.intersectSphere(Pa,fd)===null||qi.origin.distanceToSquared(fd)>(e.far-e.near)**2))&&(dd.copy(r).invert(),qi.copy(e.ray).applyMatrix4(dd),!(n.boundingBox!==null&&qi.intersectsBox(n.boundingBox)===!1)&&this._computeIntersections(e,t,qi)))}_computeIntersections(e,t,n){let s,r=this.geometry,a=this.material,o=r.index,l=r.attributes.position,c=r.attributes.uv,h=r.attributes.uv1,f=r.attributes.normal,d=r.groups,u=r.drawRange;if(o!==null)if(Array.isArray(a))for(let p=0,v=d.length;p<v;p++){let g=d[p],m=a[g.materialIndex],_=Math.max(g.start,u.start),E=Math.min(o.count,Math.min(g.start+g.count,u.start+u.count));for(let M=_,A=E;M<A;M+=3){let w=o.getX(M),x=o.getX(M+1),S=o.getX(M+2);s=Ua(this,m,e,n,c,h,f,w,x,S),s&&(s.faceIndex=Math.floor(M/3),s.face.materialIndex=g.materialIndex,t.push(s))}}else{let p=Math.max(0,u.start),v=Math.min(o.count,u.start+u.count);for(let g=p,m=v;g<m;g+=3){let _=o.getX(g),E=o.getX(g+1),M=o.getX(g+2);s=Ua(this,a,e,n,c,h,f,_,E,M),s&&(s.faceIndex=Math.floor(g/3),t.push(s))}}else if(l!==void 0)if(Array.isArray(a))for(let p=0,v=d.length;p<v;p++){let g=d[p],m=a[g.materialIndex],_=Math.max(g.start,u.start),E=Math.min(l.count,Math.min(g.start+g.count,u.start+u.count));for(let M=_,A=E;M<A;M+=3){let w=M,x=M+1,S=M+2;s=Ua(this,m,e,n,c,h,f,w,x,S),s&&(s.faceIndex=Math.floor(M/3),s.face.materialIndex=g.materialIndex,t.push(s))}}else{let p=Math.max(0,u.start),v=Math.min(l.count,u.start+u.count);for(let g=p,m=v;g<m;g+=3){let _=g,E=g+1,M=g+2;s=Ua(this,a,e,n,c,h,f,_,E,M),s&&(s.faceIndex=Math.floor(g/3),t.push(s))}}}};function om(i,e,t,n,s,r,a,o){let l;if(e.side===$t?l=n.intersectTriangle(a,r,s,!0,o):l=n.intersectTriangle(s,r,a,e.side===Pi,o),l===null)return null;Fa.copy(o),Fa.applyMatrix4(i.matrixWorld);let c=t.ray.origin.distanceTo(Fa);return c<t.near||c>t.far?null:{distance:c,point:Fa.clone(),object:i}}function Ua(i,e,t,n,s,r,a,o,l,c){i.getVertexPosition(o,Ia),i.getVertexPosition(l,La),i.getVertexPosition(c,Na);let h=om(i,e,t,n,Ia,La,Na,pd);if(h){let f=new O;Mi.getBarycoord(pd,Ia,La,Na,f),s&&(h.uv=Mi.getInterpolatedAttribute(s,o,l,c,f,new Ve)),r&&(h.uv1=Mi.getInterpolatedAttribute(r,o,l,c,f,new Ve)),a&&(h.normal=Mi.getInterpolatedAttribute(a,o,l,c,f,new O),h.normal.dot(n.direction)>0&&h.normal.multiplyScalar(-1));let d={a:o,b:l,c,normal:new O,materialIndex:0};Mi.getNormal(Ia,La,Na,d.normal),h.face=d,h.barycoord=f}return h}var Ji=class extends jt{constructor(e=null,t=1,n=1,s,r,a,o,l,c=_t,h=_t,f,d){super(null,a,o,l,c,h,s,r,f,d),this.isDataTexture=!0,this.image={data:e,width:t,height:n},this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}};var $i=new Yi,lm=new Ve(.5,.5),Oa=new O,Zi=class{constructor(e=new Pn,t=new Pn,n=new Pn,s=new Pn,r=new Pn,a=new Pn){this.planes=[e,t,n,s,r,a]}set(e,t,n,s,r,a){let o=this.planes;return o[0].copy(e),o[1].copy(t),o[2].copy(n),o[3].copy(s),o[4].copy(r),o[5].copy(a),this}copy(e){let t=this.planes;for(let n=0;n<6;n++)t[n].copy(e.planes[n]);return this}setFromProjectionMatrix(e,t=vn,n=!1){let s=this.planes,r=e.elements,a=r[0],o=r[1],l=r[2],c=r[3],h=r[4],f=r[5],d=r[6],u=r[7],p=r[8],v=r[9],g=r[10],m=r[11],_=r[12],E=r[13],M=r[14],A=r[15];if(s[0].setComponents(c-a,u-h,m-p,A-_).normalize(),s[1].setComponents(c+a,u+h,m+p,A+_).normalize(),s[2].setComponents(c+o,u+f,m+v,A+E).normalize(),s[3].setComponents(c-o,u-f,m-v,A-E).normalize(),n)s[4].setComponents(l,d,g,M).normalize(),s[5].setComponents(c-l,u-d,m-g,A-M).normalize();else if(s[4].setComponents(c-l,u-d,m-g,A-M).normalize(),t===vn)s[5].setComponents(c+l,u+d,m+g,A+M).normalize();else if(t===vr)s[5].setComponents(l,d,g,M).normalize();else throw new Error("THREE.Frustum.setFromProjectionMatrix(): Invalid coordinate system: "+t);return this}intersectsObject(e){if(e.boundingSphere!==void 0)e.boundingSphere===null&&e.computeBoundingSphere(),$i.copy(e.boundingSphere).applyMatrix4(e.matrixWorld);else{let t=e.geometry;t.boundingSphere===null&&t.computeBoundingSphere(),$i.copy(t.boundingSphere).applyMatrix4(e.matrixWorld)}return this.intersectsSphere($i)}intersectsSprite(e){$i.center.set(0,0,0);let t=lm.distanceTo(e.center);return $i.radius=.7071067811865476+t,$i.applyMatrix4(e.matrixWorld),this.intersectsSphere($i)}intersectsSphere(e){let t=this.planes,n=e.center,s=-e.radius;for(let r=0;r<6;r++)if(t[r].distanceToPoint(n)<s)return!1;return!0}intersectsBox(e){let t=this.planes;for(let n=0;n<6;n++){let s=t[n];if(Oa.x=s.normal.x>0?e.max.x:e.min.x,Oa.y=s.normal.y>0?e.max.y:e.min.y,Oa.z=s.normal.z>0?e.max.z:e.min.z,s.distanceToPoint(Oa)<0)return!1}return!0}containsPoint(e){let t=this.planes;for(let n=0;n<6;n++)if(t[n].distanceToPoint(e)<0)return!1;return!0}clone(){return new this.constructor().copy(this)}},md=new rt,oo=class i{constructor(){this.coordinateSystem=vn,this._frustums=[],this._count=0}setFromArrayCamera(e){let t=e.cameras,n=this._frustums;for(let s=0;s<t.length;s++){let r=t[s];md.multiplyMatrices(r.projectionMatrix,r.matrixWorldInverse),n[s]===void 0&&(n[s]=new Zi),n[s].setFromProjectionMatrix(md,r.coordinateSystem,r.reversedDepth)}return this._count=t.length,this}getFrustum(e){return this._frustums[e]}intersectsObject(e){let t=this._frustums;for(let n=0;n<this._count;n++)if(t[n].intersectsObject(e))return!0;return!1}intersectsSprite(e){let t=this._frustums;for(let n=0;n<this._count;n++)if(t[n].intersectsSprite(e))return!0;return!1}intersectsSphere(e){let t=this._frustums;for(let n=0;n<this._count;n++)if(t[n].intersectsSphere(e))return!0;return!1}intersectsBox(e){let t=this._frustums;for(let n=0;n<this._count;n++)if(t[n].intersectsBox(e))return!0;return!1}containsPoint(e){let t=this._frustums;for(let n=0;n<this._count;n++)if(t[n].containsPoint(e))return!0;return!1}copy(e){this.coordinateSystem=e.coordinateSystem;let t=this._frustums,n=e._frustums;for(let s=0;s<e._count;s++)t[s]===void 0&&(t[s]=new Zi),t[s].copy(n[s]);return this._count=e._count,this}clone(){return new i().copy(this)}};var lo=class extends Ti{constructor(e){super(),this.isPointsMaterial=!0,this.type="PointsMaterial",this.color=new Be(16777215),this.map=null,this.alphaMap=null,this.size=1,this.sizeAttenuation=!0,this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.alphaMap=e.alphaMap,this.size=e.size,this.sizeAttenuation=e.sizeAttenuation,this.fog=e.fog,this}},gd=new rt,Tc=new Er,ka=new Yi,Ba=new O,Cr=class extends ln{constructor(e=new Qt,t=new lo){super(),this.isPoints=!0,this.type="Points",this.geometry=e,this.material=t,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.updateMorphTargets()}copy(e,t){return super.copy(e,t),e.morphTargetInfluences!==void 0?this.morphTargetInfluences=e.morphTargetInfluences.slice():this.morphTargetInfluences=void 0,e.morphTargetDictionary!==void 0?this.morphTargetDictionary=Object.assign({},e.morphTargetDictionary):this.morphTargetDictionary=void 0,this.material=Array.isArray(e.material)?e.material.slice():e.material,this.geometry=e.geometry,this}intersectsFrustum(e){return e.intersectsObject(this)}raycast(e,t){let n=this.geometry,s=this.matrixWorld,r=e.params.Points.threshold,a=n.drawRange;if(n.boundingSphere===null&&n.computeBoundingSphere(),ka.copy(n.boundingSphere),ka.applyMatrix4(s),ka.radius+=r,e.ray.intersectsSphere(ka)===!1)return;gd.copy(s).invert(),Tc.copy(e.ray).applyMatrix4(gd);let o=r/((this.scale.x+this.scale.y+this.scale.z)/3),l=o*o,c=n.index,f=n.attributes.position;if(c!==null){let d=Math.max(0,a.start),u=Math.min(c.count,a.start+a.count);for(let p=d,v=u;p<v;p++){let g=c.getX(p);Ba.fromBufferAttribute(f,g),xd(Ba,g,l,s,e,t,this)}}else{let d=Math.max(0,a.start),u=Math.min(f.count,a.start+a.count);for(let p=d,v=u;p<v;p++)Ba.fromBufferAttribute(f,p),xd(Ba,p,l,s,e,t,this)}}updateMorphTargets(){let t=this.geometry.morphAttributes,n=Object.keys(t);if(n.length>0){let s=t[n[0]];if(s!==void 0){this.morphTargetInfluences=[],this.morphTargetDictionary={};for(let r=0,a=s.length;r<a;r++){let o=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[o]=r}}}}};function xd(i,e,t,n,s,r,a){let o=Tc.distanceSqToPoint(i);if(o<t){let l=new O;Tc.closestPointToPoint(i,l),l.applyMatrix4(n);let c=s.ray.origin.distanceTo(l);if(c<s.near||c>s.far)return;r.push({distance:c,distanceToRay:Math.sqrt(o),point:l,index:e,face:null,faceIndex:null,barycoord:null,object:a})}}var Rr=class extends jt{constructor(e=[],t=Qi,n,s,r,a,o,l,c,h){super(e,t,n,s,r,a,o,l,c,h),this.isCubeTexture=!0,this.flipY=!1}get images(){return this.image}set images(e){this.image=e}};var ci=class extends jt{constructor(e,t,n=In,s,r,a,o=_t,l=_t,c,h=li,f=1){if(h!==li&&h!==ui)throw new Error("THREE.DepthTexture: format must be either THREE.DepthFormat or THREE.DepthStencilFormat");let d={width:e,height:t,depth:f};super(d,s,r,a,o,l,h,n,c),this.isDepthTexture=!0,this.flipY=!1,this.generateMipmaps=!1,this.compareFunction=null}copy(e){return super.copy(e),this.source=new Rs(Object.assign({},e.image)),this.compareFunction=e.compareFunction,this}toJSON(e){let t=super.toJSON(e);return t.compareFunction=this.compareFunction,t}},Pr=class extends ci{constructor(e,t=In,n=Qi,s,r,a=_t,o=_t,l,c=li){let h={width:e,height:e,depth:1},f=[h,h,h,h,h,h];super(e,e,t,n,s,r,a,o,l,c),this.image=f,this.isCubeDepthTexture=!0,this.isCubeTexture=!0}get images(){return this.image}set images(e){this.image=e}},Ir=class extends jt{constructor(e=null){super(),this.sourceTexture=e,this.isExternalTexture=!0}copy(e){return super.copy(e),this.sourceTexture=e.sourceTexture,this}},Ls=class i extends Qt{constructor(e=1,t=1,n=1,s=1,r=1,a=1){super(),this.type="BoxGeometry",this.parameters={width:e,height:t,depth:n,widthSegments:s,heightSegments:r,depthSegments:a};let o=this;s=Math.floor(s),r=Math.floor(r),a=Math.floor(a);let l=[],c=[],h=[],f=[],d=0,u=0;p("z","y","x",-1,-1,n,t,e,a,r,0),p("z","y","x",1,-1,n,t,-e,a,r,1),p("x","z","y",1,1,e,n,t,s,a,2),p("x","z","y",1,-1,e,n,-t,s,a,3),p("x","y","z",1,-1,e,t,n,s,r,4),p("x","y","z",-1,-1,e,t,-n,s,r,5),this.setIndex(l),this.setAttribute("position",new _n(c,3)),this.setAttribute("normal",new _n(h,3)),this.setAttribute("uv",new _n(f,2));function p(v,g,m,_,E,M,A,w,x,S,F){let P=M/x,N=A/S,B=M/2,q=A/2,I=w/2,G=x+1,X=S+1,z=0,ee=0,H=new O;for(let K=0;K<X;K++){let te=K*N-q;for(let ve=0;ve<G;ve++){let Ae=ve*P-B;H[v]=Ae*_,H[g]=te*E,H[m]=I,c.push(H.x,H.y,H.z),H[v]=0,H[g]=0,H[m]=w>0?1:-1,h.push(H.x,H.y,H.z),f.push(ve/x),f.push(1-K/S),z+=1}}for(let K=0;K<S;K++)for(let te=0;te<x;te++){let ve=d+te+G*K,Ae=d+te+G*(K+1),$=d+(te+1)+G*(K+1),se=d+(te+1)+G*K;l.push(ve,Ae,se),l.push(Ae,$,se),ee+=6}o.addGroup(u,ee,F),u+=ee,d+=z}}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.width,e.height,e.depth,e.widthSegments,e.heightSegments,e.depthSegments)}};var Lr=class i extends Qt{constructor(e=1,t=1,n=1,s=1){super(),this.type="PlaneGeometry",this.parameters={width:e,height:t,widthSegments:n,heightSegments:s};let r=e/2,a=t/2,o=Math.floor(n),l=Math.floor(s),c=o+1,h=l+1,f=e/o,d=t/l,u=[],p=[],v=[],g=[];for(let m=0;m<h;m++){let _=m*d-a;for(let E=0;E<c;E++){let M=E*f-r;p.push(M,-_,0),v.push(0,0,1),g.push(E/o),g.push(1-m/l)}}for(let m=0;m<l;m++)for(let _=0;_<o;_++){let E=_+c*m,M=_+c*(m+1),A=_+1+c*(m+1),w=_+1+c*m;u.push(E,M,w),u.push(M,A,w)}this.setIndex(u),this.setAttribute("position",new _n(p,3)),this.setAttribute("normal",new _n(v,3)),this.setAttribute("uv",new _n(g,2))}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.width,e.height,e.widthSegments,e.heightSegments)}};function ns(i){let e={};for(let t in i){e[t]={};for(let n in i[t]){let s=i[t][n];if(yd(s))s.isRenderTargetTexture?(Pe("UniformsUtils: Textures of render targets cannot be cloned via cloneUniforms() or mergeUniforms()."),e[t][n]=null):e[t][n]=s.clone();else if(Array.isArray(s))if(yd(s[0])){let r=[];for(let a=0,o=s.length;a<o;a++)r[a]=s[a].clone();e[t][n]=r}else e[t][n]=s.slice();else e[t][n]=s}}return e}function Ht(i){let e={};for(let t=0;t<i.length;t++){let n=ns(i[t]);for(let s in n)e[s]=n[s]}return e}function yd(i){return i&&(i.isColor||i.isMatrix3||i.isMatrix4||i.isVector2||i.isVector3||i.isVector4||i.isTexture||i.isQuaternion)}function cm(i){let e=[];for(let t=0;t<i.length;t++)e.push(i[t].clone());return e}function th(i){let e=i.getRenderTarget();return e===null?i.outputColorSpace:e.isXRRenderTarget===!0?e.texture.colorSpace:Xe.workingColorSpace}var hf={clone:ns,merge:Ht},hm=`void main() {
+	gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.0 );
+}`,um=`void main() {
+	gl_FragColor = vec4( 1.0, 0.0, 0.0, 1.0 );
+}`,qt=class extends Ti{constructor(e){super(),this.isShaderMaterial=!0,this.type="ShaderMaterial",this.defines={},this.uniforms={},this.uniformsGroups=[],this.vertexShader=hm,this.fragmentShader=um,this.linewidth=1,this.wireframe=!1,this.wireframeLinewidth=1,this.fog=!1,this.lights=!1,this.clipping=!1,this.forceSinglePass=!0,this.extensions={clipCullDistance:!1,multiDraw:!1},this.defaultAttributeValues={color:[1,1,1],uv:[0,0],uv1:[0,0]},this.index0AttributeName=void 0,this.uniformsNeedUpdate=!1,this.glslVersion=null,e!==void 0&&this.setValues(e)}copy(e){return super.copy(e),this.fragmentShader=e.fragmentShader,this.vertexShader=e.vertexShader,this.uniforms=ns(e.uniforms),this.uniformsGroups=cm(e.uniformsGroups),this.defines=Object.assign({},e.defines),this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this.fog=e.fog,this.lights=e.lights,this.clipping=e.clipping,this.extensions=Object.assign({},e.extensions),this.glslVersion=e.glslVersion,this.defaultAttributeValues=Object.assign({},e.defaultAttributeValues),this.index0AttributeName=e.index0AttributeName,this.uniformsNeedUpdate=e.uniformsNeedUpdate,this}toJSON(e){let t=super.toJSON(e);t.glslVersion=this.glslVersion,t.uniforms={};for(let s in this.uniforms){let a=this.uniforms[s].value;a&&a.isTexture?t.uniforms[s]={type:"t",value:a.toJSON(e).uuid}:a&&a.isColor?t.uniforms[s]={type:"c",value:a.getHex()}:a&&a.isVector2?t.uniforms[s]={type:"v2",value:a.toArray()}:a&&a.isVector3?t.uniforms[s]={type:"v3",value:a.toArray()}:a&&a.isVector4?t.uniforms[s]={type:"v4",value:a.toArray()}:a&&a.isMatrix3?t.uniforms[s]={type:"m3",value:a.toArray()}:a&&a.isMatrix4?t.uniforms[s]={type:"m4",value:a.toArray()}:t.uniforms[s]={value:a}}Object.keys(this.defines).length>0&&(t.defines=this.defines),t.vertexShader=this.vertexShader,t.fragmentShader=this.fragmentShader,t.lights=this.lights,t.clipping=this.clipping;let n={};for(let s in this.extensions)this.extensions[s]===!0&&(n[s]=!0);return Object.keys(n).length>0&&(t.extensions=n),t}fromJSON(e,t){if(super.fromJSON(e,t),e.uniforms!==void 0)for(let n in e.uniforms){let s=e.uniforms[n];switch(this.uniforms[n]={},s.type){case"t":this.uniforms[n].value=t[s.value]||null;break;case"c":this.uniforms[n].value=new Be().setHex(s.value);break;case"v2":this.uniforms[n].value=new Ve().fromArray(s.value);break;case"v3":this.uniforms[n].value=new O().fromArray(s.value);break;case"v4":this.uniforms[n].value=new et().fromArray(s.value);break;case"m3":this.uniforms[n].value=new De().fromArray(s.value);break;case"m4":this.uniforms[n].value=new rt().fromArray(s.value);break;default:this.uniforms[n].value=s.value}}if(e.defines!==void 0&&(this.defines=e.defines),e.vertexShader!==void 0&&(this.vertexShader=e.vertexShader),e.fragmentShader!==void 0&&(this.fragmentShader=e.fragmentShader),e.glslVersion!==void 0&&(this.glslVersion=e.glslVersion),e.extensions!==void 0)for(let n in e.extensions)this.extensions[n]=e.extensions[n];return e.lights!==void 0&&(this.lights=e.lights),e.clipping!==void 0&&(this.clipping=e.clipping),this}},co=class extends qt{constructor(e){super(e),this.isRawShaderMaterial=!0,this.type="RawShaderMaterial"}};var ho=class extends Ti{constructor(e){super(),this.isMeshDepthMaterial=!0,this.type="MeshDepthMaterial",this.depthPacking=$d,this.map=null,this.alphaMap=null,this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.wireframe=!1,this.wireframeLinewidth=1,this.setValues(e)}copy(e){return super.copy(e),this.depthPacking=e.depthPacking,this.map=e.map,this.alphaMap=e.alphaMap,this.displacementMap=e.displacementMap,this.displacementScale=e.displacementScale,this.displacementBias=e.displacementBias,this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this}},uo=class extends Ti{constructor(e){super(),this.isMeshDistanceMaterial=!0,this.type="MeshDistanceMaterial",this.map=null,this.alphaMap=null,this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.setValues(e)}copy(e){return super.copy(e),this.map=e.map,this.alphaMap=e.alphaMap,this.displacementMap=e.displacementMap,this.displacementScale=e.displacementScale,this.displacementBias=e.displacementBias,this}};function Ms(i,e){return!i||i.constructor===e?i:typeof e.BYTES_PER_ELEMENT=="number"?new e(i):Array.prototype.slice.call(i)}function za(i){return i!==void 0&&i.inTangents!==void 0&&i.outTangents!==void 0}var Ei=class{constructor(e,t,n,s){this.parameterPositions=e,this._cachedIndex=0,this.resultBuffer=s!==void 0?s:new t.constructor(n),this.sampleValues=t,this.valueSize=n,this.settings=null,this.DefaultSettings_={}}evaluate(e){let t=this.parameterPositions,n=this._cachedIndex,s=t[n],r=t[n-1];n:{e:{let a;t:{i:if(!(e<s)){for(let o=n+2;;){if(s===void 0){if(e<r)break i;return n=t.length,this._cachedIndex=n,this.copySampleValue_(n-1)}if(n===o)break;if(r=s,s=t[++n],e<s)break e}a=t.length;break t}if(!(e>=r)){let o=t[1];e<o&&(n=2,r=o);for(let l=n-2;;){if(r===void 0)return this._cachedIndex=0,this.copySampleValue_(0);if(n===l)break;if(s=r,r=t[--n-1],e>=r)break e}a=n,n=0;break t}break n}for(;n<a;){let o=n+a>>>1;e<t[o]?a=o:n=o+1}if(s=t[n],r=t[n-1],r===void 0)return this._cachedIndex=0,this.copySampleValue_(0);if(s===void 0)return n=t.length,this._cachedIndex=n,this.copySampleValue_(n-1)}this._cachedIndex=n,this.intervalChanged_(n,r,s)}return this.interpolate_(n,r,e,s)}getSettings_(){return this.settings||this.DefaultSettings_}copySampleValue_(e){let t=this.resultBuffer,n=this.sampleValues,s=this.valueSize,r=e*s;for(let a=0;a!==s;++a)t[a]=n[r+a];return t}interpolate_(){throw new Error("THREE.Interpolant: Call to abstract method.")}intervalChanged_(){}},fo=class extends Ei{constructor(e,t,n,s){super(e,t,n,s),this._weightPrev=-0,this._offsetPrev=-0,this._weightNext=-0,this._offsetNext=-0,this.DefaultSettings_={endingStart:Mc,endingEnd:Mc}}intervalChanged_(e,t,n){let s=this.parameterPositions,r=e-2,a=e+1,o=s[r],l=s[a];if(o===void 0)switch(this.getSettings_().endingStart){case wc:r=e,o=2*t-n;break;case Ac:r=s.length-2,o=t+s[r]-s[r+1];break;default:r=e,o=n}if(l===void 0)switch(this.getSettings_().endingEnd){case wc:a=e,l=2*n-t;break;case Ac:a=1,l=n+s[1]-s[0];break;default:a=e-1,l=t}let c=(n-t)*.5,h=this.valueSize;this._weightPrev=c/(t-o),this._weightNext=c/(l-n),this._offsetPrev=r*h,this._offsetNext=a*h}interpolate_(e,t,n,s){let r=this.resultBuffer,a=this.sampleValues,o=this.valueSize,l=e*o,c=l-o,h=this._offsetPrev,f=this._offsetNext,d=this._weightPrev,u=this._weightNext,p=(n-t)/(s-t),v=p*p,g=v*p,m=-d*g+2*d*v-d*p,_=(1+d)*g+(-1.5-2*d)*v+(-.5+d)*p+1,E=(-1-u)*g+(1.5+u)*v+.5*p,M=u*g-u*v;for(let A=0;A!==o;++A)r[A]=m*a[h+A]+_*a[c+A]+E*a[l+A]+M*a[f+A];return r}},po=class extends Ei{constructor(e,t,n,s){super(e,t,n,s)}interpolate_(e,t,n,s){let r=this.resultBuffer,a=this.sampleValues,o=this.valueSize,l=e*o,c=l-o,h=(n-t)/(s-t),f=1-h;for(let d=0;d!==o;++d)r[d]=a[c+d]*f+a[l+d]*h;return r}},mo=class extends Ei{constructor(e,t,n,s){super(e,t,n,s)}interpolate_(e){return this.copySampleValue_(e-1)}},go=class extends Ei{interpolate_(e,t,n,s){let r=this.resultBuffer,a=this.sampleValues,o=this.valueSize,l=e*o,c=l-o,h=this.inTangents,f=this.outTangents;if(!h||!f){let p=(n-t)/(s-t),v=1-p;for(let g=0;g!==o;++g)r[g]=a[c+g]*v+a[l+g]*p;return r}let d=o*2,u=e-1;for(let p=0;p!==o;++p){let v=a[c+p],g=a[l+p],m=u*d+p*2,_=f[m],E=f[m+1],M=e*d+p*2,A=h[M],w=h[M+1],x=fm(n,t,_,A,s);r[p]=uf(x,v,E,w,g)}return r}};function uf(i,e,t,n,s){let r=1-i;return r*r*r*e+3*r*r*i*t+3*r*i*i*n+i*i*i*s}function dm(i,e,t,n,s){let r=1-i;return 3*r*r*(t-e)+6*r*i*(n-t)+3*i*i*(s-n)}function fm(i,e,t,n,s){let r=(i-e)/(s-e);for(let a=0;a<8;a++){let o=uf(r,e,t,n,s)-i;if(Math.abs(o)<1e-10)break;let l=dm(r,e,t,n,s);if(Math.abs(l)<1e-10)break;r=Math.max(0,Math.min(1,r-o/l))}return r}var cn=class{constructor(e,t,n,s){if(e===void 0)throw new Error("THREE.KeyframeTrack: track name is undefined");if(t===void 0||t.length===0)throw new Error("THREE.KeyframeTrack: no keyframes in track named "+e);this.name=e,this.times=Ms(t,this.TimeBufferType),this.values=Ms(n,this.ValueBufferType),this.setInterpolation(s||this.DefaultInterpolation)}static toJSON(e){let t=e.constructor,n;if(t.toJSON!==this.toJSON)n=t.toJSON(e);else{n={name:e.name,times:Ms(e.times,Array),values:Ms(e.values,Array)};let s=e.getInterpolation();s!==e.DefaultInterpolation&&(n.interpolation=s),za(e.settings)&&(n.settings={inTangents:Ms(e.settings.inTangents,Array),outTangents:Ms(e.settings.outTangents,Array)})}return n.type=e.ValueTypeName,n}InterpolantFactoryMethodDiscrete(e){return new mo(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodLinear(e){return new po(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodSmooth(e){return new fo(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodBezier(e){let t=new go(this.times,this.values,this.getValueSize(),e);return this.settings&&(t.inTangents=this.settings.inTangents,t.outTangents=this.settings.outTangents),t}setInterpolation(e){let t;switch(e){case gr:t=this.InterpolantFactoryMethodDiscrete;break;case eo:t=this.InterpolantFactoryMethodLinear;break;case Ga:t=this.InterpolantFactoryMethodSmooth;break;case Sc:t=this.InterpolantFactoryMethodBezier;break}if(t===void 0){let n="unsupported interpolation for "+this.ValueTypeName+" keyframe track named "+this.name;if(this.createInterpolant===void 0)if(e!==this.DefaultInterpolation)this.setInterpolation(this.DefaultInterpolation);else throw new Error(n);return Pe("KeyframeTrack:",n),this}return this.createInterpolant=t,this}getInterpolation(){switch(this.createInterpolant){case this.InterpolantFactoryMethodDiscrete:return gr;case this.InterpolantFactoryMethodLinear:return eo;case this.InterpolantFactoryMethodSmooth:return Ga;case this.InterpolantFactoryMethodBezier:return Sc}}getValueSize(){return this.values.length/this.times.length}shift(e){if(e!==0){let t=this.times;for(let n=0,s=t.length;n!==s;++n)t[n]+=e;za(this.settings)&&(vd(this.settings.inTangents,e),vd(this.settings.outTangents,e))}return this}scale(e){if(e!==1){let t=this.times;for(let n=0,s=t.length;n!==s;++n)t[n]*=e;za(this.settings)&&(_d(this.settings.inTangents,e),_d(this.settings.outTangents,e))}return this}trim(e,t){let n=this.times,s=n.length,r=0,a=s-1;for(;r!==s&&n[r]<e;)++r;for(;a!==-1&&n[a]>t;)--a;if(++a,r!==0||a!==s){r>=a&&(a=Math.max(a,1),r=a-1);let o=this.getValueSize();this.times=n.slice(r,a),this.values=this.values.slice(r*o,a*o)}return this}validate(){let e=!0,t=this.getValueSize();t-Math.floor(t)!==0&&(Le("KeyframeTrack: Invalid value size in track.",this),e=!1);let n=this.times,s=this.values,r=n.length;r===0&&(Le("KeyframeTrack: Track is empty.",this),e=!1);let a=null;for(let o=0;o!==r;o++){let l=n[o];if(typeof l=="number"&&isNaN(l)){Le("KeyframeTrack: Time is not a valid number.",this,o,l),e=!1;break}if(a!==null&&a>l){Le("KeyframeTrack: Out of order keys.",this,o,l,a),e=!1;break}a=l}if(s!==void 0&&Gp(s))for(let o=0,l=s.length;o!==l;++o){let c=s[o];if(isNaN(c)){Le("KeyframeTrack: Value is not a valid number.",this,o,c),e=!1;break}}return e}optimize(){let e=this.times.slice(),t=this.values.slice(),n=this.getValueSize(),s=this.getInterpolation()===Ga,r=e.length-1,a=1;for(let o=1;o<r;++o){let l=!1,c=e[o],h=e[o+1];if(c!==h&&(o!==1||c!==e[0]))if(s)l=!0;else{let f=o*n,d=f-n,u=f+n;for(let p=0;p!==n;++p){let v=t[f+p];if(v!==t[d+p]||v!==t[u+p]){l=!0;break}}}if(l){if(o!==a){e[a]=e[o];let f=o*n,d=a*n;for(let u=0;u!==n;++u)t[d+u]=t[f+u]}++a}}if(r>0){e[a]=e[r];for(let o=r*n,l=a*n,c=0;c!==n;++c)t[l+c]=t[o+c];++a}return a!==e.length?(this.times=e.slice(0,a),this.values=t.slice(0,a*n)):(this.times=e,this.values=t),this}clone(){let e=this.times.slice(),t=this.values.slice(),n=this.constructor,s=new n(this.name,e,t);return s.createInterpolant=this.createInterpolant,za(this.settings)&&(s.settings={inTangents:this.settings.inTangents.slice(),outTangents:this.settings.outTangents.slice()}),s}};function vd(i,e){for(let t=0,n=i.length;t!==n;t+=2)i[t]+=e}function _d(i,e){for(let t=0,n=i.length;t!==n;t+=2)i[t]*=e}cn.prototype.ValueTypeName="";cn.prototype.TimeBufferType=Float32Array;cn.prototype.ValueBufferType=Float32Array;cn.prototype.DefaultInterpolation=eo;var Ci=class extends cn{constructor(e,t,n){super(e,t,n)}};Ci.prototype.ValueTypeName="bool";Ci.prototype.ValueBufferType=Array;Ci.prototype.DefaultInterpolation=gr;Ci.prototype.InterpolantFactoryMethodLinear=void 0;Ci.prototype.InterpolantFactoryMethodSmooth=void 0;var xo=class extends cn{constructor(e,t,n,s){super(e,t,n,s)}};xo.prototype.ValueTypeName="color";var yo=class extends cn{constructor(e,t,n,s){super(e,t,n,s)}};yo.prototype.ValueTypeName="number";var vo=class extends Ei{constructor(e,t,n,s){super(e,t,n,s)}interpolate_(e,t,n,s){let r=this.resultBuffer,a=this.sampleValues,o=this.valueSize,l=(n-t)/(s-t),c=e*o;for(let h=c+o;c!==h;c+=4)Gn.slerpFlat(r,0,a,c-o,a,c,l);return r}},Nr=class extends cn{constructor(e,t,n,s){super(e,t,n,s)}InterpolantFactoryMethodLinear(e){return new vo(this.times,this.values,this.getValueSize(),e)}};Nr.prototype.ValueTypeName="quaternion";Nr.prototype.InterpolantFactoryMethodSmooth=void 0;var Ri=class extends cn{constructor(e,t,n){super(e,t,n)}};Ri.prototype.ValueTypeName="string";Ri.prototype.ValueBufferType=Array;Ri.prototype.DefaultInterpolation=gr;Ri.prototype.InterpolantFactoryMethodLinear=void 0;Ri.prototype.InterpolantFactoryMethodSmooth=void 0;var _o=class extends cn{constructor(e,t,n,s){super(e,t,n,s)}};_o.prototype.ValueTypeName="vector";var bo=class{constructor(e,t,n){let s=this,r=!1,a=0,o=0,l,c=[];this.onStart=void 0,this.onLoad=e,this.onProgress=t,this.onError=n,this._abortController=null,this.itemStart=function(h){o++,r===!1&&s.onStart!==void 0&&s.onStart(h,a,o),r=!0},this.itemEnd=function(h){a++,s.onProgress!==void 0&&s.onProgress(h,a,o),a===o&&(r=!1,s.onLoad!==void 0&&s.onLoad())},this.itemError=function(h){s.onError!==void 0&&s.onError(h)},this.resolveURL=function(h){return h=h.normalize("NFC"),l?l(h):h},this.setURLModifier=function(h){return l=h,this},this.addHandler=function(h,f){return c.push(h,f),this},this.removeHandler=function(h){let f=c.indexOf(h);return f!==-1&&c.splice(f,2),this},this.getHandler=function(h){for(let f=0,d=c.length;f<d;f+=2){let u=c[f],p=c[f+1];if(u.global&&(u.lastIndex=0),u.test(h))return p}return null},this.abort=function(){return this.abortController.abort(),this._abortController=null,this}}get abortController(){return this._abortController||(this._abortController=new AbortController),this._abortController}},df=new bo,So=class{constructor(e){this.manager=e!==void 0?e:df,this.crossOrigin="anonymous",this.withCredentials=!1,this.path="",this.resourcePath="",this.requestHeader={},this.priority="auto",this.cache="default",typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}load(){}loadAsync(e,t){let n=this;return new Promise(function(s,r){n.load(e,s,t,r)})}parse(){}setCrossOrigin(e){return this.crossOrigin=e,this}setWithCredentials(e){return this.withCredentials=e,this}setPath(e){return this.path=e,this}setResourcePath(e){return this.resourcePath=e,this}setRequestHeader(e){return this.requestHeader=e,this}setPriority(e){return this.priority=e,this}setCache(e){return this.cache=e,this}abort(){return this}};So.DEFAULT_MATERIAL_NAME="__DEFAULT";var Va=new O,Ha=new Gn,zn=new O,Dr=class extends ln{constructor(){super(),this.isCamera=!0,this.type="Camera",this.matrixWorldInverse=new rt,this.projectionMatrix=new rt,this.projectionMatrixInverse=new rt,this.coordinateSystem=vn,this._reversedDepth=!1}get reversedDepth(){return this._reversedDepth}copy(e,t){return super.copy(e,t),this.matrixWorldInverse.copy(e.matrixWorldInverse),this.projectionMatrix.copy(e.projectionMatrix),this.projectionMatrixInverse.copy(e.projectionMatrixInverse),this.coordinateSystem=e.coordinateSystem,this}getWorldDirection(e){return super.getWorldDirection(e).negate()}updateMatrixWorld(e){super.updateMatrixWorld(e),this.matrixWorld.decompose(Va,Ha,zn),zn.x===1&&zn.y===1&&zn.z===1?this.matrixWorldInverse.copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(Va,Ha,zn.set(1,1,1)).invert()}updateWorldMatrix(e,t,n=!1){super.updateWorldMatrix(e,t,n),this.matrixWorld.decompose(Va,Ha,zn),zn.x===1&&zn.y===1&&zn.z===1?this.matrixWorldInverse.copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(Va,Ha,zn.set(1,1,1)).invert()}clone(){return new this.constructor().copy(this)}},Si=new O,bd=new Ve,Sd=new Ve,Vt=class extends Dr{constructor(e=50,t=1,n=.1,s=2e3){super(),this.isPerspectiveCamera=!0,this.type="PerspectiveCamera",this.fov=e,this.zoom=1,this.near=n,this.far=s,this.focus=10,this.aspect=t,this.view=null,this.filmGauge=35,this.filmOffset=0,this.updateProjectionMatrix()}copy(e,t){return super.copy(e,t),this.fov=e.fov,this.zoom=e.zoom,this.near=e.near,this.far=e.far,this.focus=e.focus,this.aspect=e.aspect,this.view=e.view===null?null:Object.assign({},e.view),this.filmGauge=e.filmGauge,this.filmOffset=e.filmOffset,this}setFocalLength(e){let t=.5*this.getFilmHeight()/e;this.fov=to*2*Math.atan(t),this.updateProjectionMatrix()}getFocalLength(){let e=Math.tan(tc*.5*this.fov);return .5*this.getFilmHeight()/e}getEffectiveFOV(){return to*2*Math.atan(Math.tan(tc*.5*this.fov)/this.zoom)}getFilmWidth(){return this.filmGauge*Math.min(this.aspect,1)}getFilmHeight(){return this.filmGauge/Math.max(this.aspect,1)}getViewBounds(e,t,n){Si.set(-1,-1,.5).applyMatrix4(this.projectionMatrixInverse),t.set(Si.x,Si.y).multiplyScalar(-e/Si.z),Si.set(1,1,.5).applyMatrix4(this.projectionMatrixInverse),n.set(Si.x,Si.y).multiplyScalar(-e/Si.z)}getViewSize(e,t){return this.getViewBounds(e,bd,Sd),t.subVectors(Sd,bd)}setViewOffset(e,t,n,s,r,a){this.aspect=e/t,this.view===null&&(this.view={enabled:!0,fullWidth:1,fullHeight:1,offsetX:0,offsetY:0,width:1,height:1}),this.view.enabled=!0,this.view.fullWidth=e,this.view.fullHeight=t,this.view.offsetX=n,this.view.offsetY=s,this.view.width=r,this.view.height=a,this.updateProjectionMatrix()}clearViewOffset(){this.view!==null&&(this.view.enabled=!1),this.updateProjectionMatrix()}updateProjectionMatrix(){let e=this.near,t=e*Math.tan(tc*.5*this.fov)/this.zoom,n=2*t,s=this.aspect*n,r=-.5*s,a=this.view;if(this.view!==null&&this.view.enabled){let l=a.fullWidth,c=a.fullHeight;r+=a.offsetX*s/l,t-=a.offsetY*n/c,s*=a.width/l,n*=a.height/c}let o=this.filmOffset;o!==0&&(r+=e*o/this.getFilmWidth()),this.projectionMatrix.makePerspective(r,r+s,t,t-n,e,this.far,this.coordinateSystem,this.reversedDepth),this.projectionMatrixInverse.copy(this.projectionMatrix).invert()}toJSON(e){let t=super.toJSON(e);return t.object.fov=this.fov,t.object.zoom=this.zoom,t.object.near=this.near,t.object.far=this.far,t.object.focus=this.focus,t.object.aspect=this.aspect,this.view!==null&&(t.object.view=Object.assign({},this.view)),t.object.filmGauge=this.filmGauge,t.object.filmOffset=this.filmOffset,t}};var Ns=class extends Dr{constructor(e=-1,t=1,n=1,s=-1,r=.1,a=2e3){super(),this.isOrthographicCamera=!0,this.type="OrthographicCamera",this.zoom=1,this.view=null,this.left=e,this.right=t,this.top=n,this.bottom=s,this.near=r,this.far=a,this.updateProjectionMatrix()}copy(e,t){return super.copy(e,t),this.left=e.left,this.right=e.right,this.top=e.top,this.bottom=e.bottom,this.near=e.near,this.far=e.far,this.zoom=e.zoom,this.view=e.view===null?null:Object.assign({},e.view),this}setViewOffset(e,t,n,s,r,a){this.view===null&&(this.view={enabled:!0,fullWidth:1,fullHeight:1,offsetX:0,offsetY:0,width:1,height:1}),this.view.enabled=!0,this.view.fullWidth=e,this.view.fullHeight=t,this.view.offsetX=n,this.view.offsetY=s,this.view.width=r,this.view.height=a,this.updateProjectionMatrix()}clearViewOffset(){this.view!==null&&(this.view.enabled=!1),this.updateProjectionMatrix()}updateProjectionMatrix(){let e=(this.right-this.left)/(2*this.zoom),t=(this.top-this.bottom)/(2*this.zoom),n=(this.right+this.left)/2,s=(this.top+this.bottom)/2,r=n-e,a=n+e,o=s+t,l=s-t;if(this.view!==null&&this.view.enabled){let c=(this.right-this.left)/this.view.fullWidth/this.zoom,h=(this.top-this.bottom)/this.view.fullHeight/this.zoom;r+=c*this.view.offsetX,a=r+c*this.view.width,o-=h*this.view.offsetY,l=o-h*this.view.height}this.projectionMatrix.makeOrthographic(r,a,o,l,this.near,this.far,this.coordinateSystem,this.reversedDepth),this.projectionMatrixInverse.copy(this.projectionMatrix).invert()}toJSON(e){let t=super.toJSON(e);return t.object.zoom=this.zoom,t.object.left=this.left,t.object.right=this.right,t.object.top=this.top,t.object.bottom=this.bottom,t.object.near=this.near,t.object.far=this.far,this.view!==null&&(t.object.view=Object.assign({},this.view)),t}};var Fr=class extends Qt{constructor(){super(),this.isInstancedBufferGeometry=!0,this.type="InstancedBufferGeometry",this.instanceCount=1/0}copy(e){return super.copy(e),this.instanceCount=e.instanceCount,this}toJSON(){let e=super.toJSON();return e.instanceCount=this.instanceCount,e.isInstancedBufferGeometry=!0,e}};var ws=-90,As=1,Ds=class extends ln{constructor(e,t,n){super(),this.type="CubeCamera",this.renderTarget=n,this.coordinateSystem=null,this.activeMipmapLevel=0;let s=new Vt(ws,As,e,t);s.layers=this.layers,this.add(s);let r=new Vt(ws,As,e,t);r.layers=this.layers,this.add(r);let a=new Vt(ws,As,e,t);a.layers=this.layers,this.add(a);let o=new Vt(ws,As,e,t);o.layers=this.layers,this.add(o);let l=new Vt(ws,As,e,t);l.layers=this.layers,this.add(l);let c=new Vt(ws,As,e,t);c.layers=this.layers,this.add(c)}updateCoordinateSystem(){let e=this.coordinateSystem,t=this.children.concat(),[n,s,r,a,o,l]=t;for(let c of t)this.remove(c);if(e===vn)n.up.set(0,1,0),n.lookAt(1,0,0),s.up.set(0,1,0),s.lookAt(-1,0,0),r.up.set(0,0,-1),r.lookAt(0,1,0),a.up.set(0,0,1),a.lookAt(0,-1,0),o.up.set(0,1,0),o.lookAt(0,0,1),l.up.set(0,1,0),l.lookAt(0,0,-1);else if(e===vr)n.up.set(0,-1,0),n.lookAt(-1,0,0),s.up.set(0,-1,0),s.lookAt(1,0,0),r.up.set(0,0,1),r.lookAt(0,1,0),a.up.set(0,0,-1),a.lookAt(0,-1,0),o.up.set(0,-1,0),o.lookAt(0,0,1),l.up.set(0,-1,0),l.lookAt(0,0,-1);else throw new Error("THREE.CubeCamera.updateCoordinateSystem(): Invalid coordinate system: "+e);for(let c of t)this.add(c),c.updateMatrixWorld()}update(e,t){this.parent===null&&this.updateMatrixWorld();let{renderTarget:n,activeMipmapLevel:s}=this;this.coordinateSystem!==e.coordinateSystem&&(this.coordinateSystem=e.coordinateSystem,this.updateCoordinateSystem());let[r,a,o,l,c,h]=this.children,f=e.getRenderTarget(),d=e.getActiveCubeFace(),u=e.getActiveMipmapLevel(),p=e.xr.enabled;e.xr.enabled=!1;let v=n.texture.mipmapsAutoUpdate;n.texture.mipmapsAutoUpdate=!1;let g=!1;e.isWebGLRenderer===!0?g=e.state.buffers.depth.getReversed():g=e.reversedDepthBuffer,e.setRenderTarget(n,0,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,r),e.setRenderTarget(n,1,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,a),e.setRenderTarget(n,2,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,o),e.setRenderTarget(n,3,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,l),e.setRenderTarget(n,4,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,c),n.texture.mipmapsAutoUpdate=v,e.setRenderTarget(n,5,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,h),e.setRenderTarget(f,d,u),e.xr.enabled=p,n.texture.needsPMREMUpdate=!0}},Mo=class extends Vt{constructor(e=[]){super(),this.isArrayCamera=!0,this.isMultiViewCamera=!1,this.cameras=e,this.perCameraFrustumCulled=!1}};var nh="\\[\\]\\.:\\/",pm=new RegExp("["+nh+"]","g"),ih="[^"+nh+"]",mm="[^"+nh.replace("\\.","")+"]",gm=/((?:WC+[\/:])*)/.source.replace("WC",ih),xm=/(WCOD+)?/.source.replace("WCOD",mm),ym=/(?:\.(WC+)(?:\[(.+)\])?)?/.source.replace("WC",ih),vm=/\.(WC+)(?:\[(.+)\])?/.source.replace("WC",ih),_m=new RegExp("^"+gm+xm+ym+vm+"$"),bm=["material","materials","bones","map"],Ec=class{constructor(e,t,n){let s=n||st.parseTrackName(t);this._targetGroup=e,this._bindings=e.subscribe_(t,s)}getValue(e,t){this.bind();let n=this._targetGroup.nCachedObjects_,s=this._bindings[n];s!==void 0&&s.getValue(e,t)}setValue(e,t){let n=this._bindings;for(let s=this._targetGroup.nCachedObjects_,r=n.length;s!==r;++s)n[s].setValue(e,t)}bind(){let e=this._bindings;for(let t=this._targetGroup.nCachedObjects_,n=e.length;t!==n;++t)e[t].bind()}unbind(){let e=this._bindings;for(let t=this._targetGroup.nCachedObjects_,n=e.length;t!==n;++t)e[t].unbind()}},st=class i{constructor(e,t,n){this.path=t,this.parsedPath=n||i.parseTrackName(t),this.node=i.findNode(e,this.parsedPath.nodeName),this.rootNode=e,this.getValue=this._getValue_unbound,this.setValue=this._setValue_unbound}static create(e,t,n){return e&&e.isAnimationObjectGroup?new i.Composite(e,t,n):new i(e,t,n)}static sanitizeNodeName(e){return e.replace(/\s/g,"_").replace(pm,"")}static parseTrackName(e){let t=_m.exec(e);if(t===null)throw new Error("THREE.PropertyBinding: Cannot parse trackName: "+e);let n={nodeName:t[2],objectName:t[3],objectIndex:t[4],propertyName:t[5],propertyIndex:t[6]},s=n.nodeName&&n.nodeName.lastIndexOf(".");if(s!==void 0&&s!==-1){let r=n.nodeName.substring(s+1);bm.indexOf(r)!==-1&&(n.nodeName=n.nodeName.substring(0,s),n.objectName=r)}if(n.propertyName===null||n.propertyName.length===0)throw new Error("THREE.PropertyBinding: can not parse propertyName from trackName: "+e);return n}static findNode(e,t){if(t===void 0||t===""||t==="."||t===-1||t===e.name||t===e.uuid)return e;if(e.skeleton){let n=e.skeleton.getBoneByName(t);if(n!==void 0)return n}if(e.children){let n=function(r){for(let a=0;a<r.length;a++){let o=r[a];if(o.name===t||o.uuid===t)return o;let l=n(o.children);if(l)return l}return null},s=n(e.children);if(s)return s}return null}_getValue_unavailable(){}_setValue_unavailable(){}_getValue_direct(e,t){e[t]=this.targetObject[this.propertyName]}_getValue_array(e,t){let n=this.resolvedProperty;for(let s=0,r=n.length;s!==r;++s)e[t++]=n[s]}_getValue_arrayElement(e,t){e[t]=this.resolvedProperty[this.propertyIndex]}_getValue_toArray(e,t){this.resolvedProperty.toArray(e,t)}_setValue_direct(e,t){this.targetObject[this.propertyName]=e[t]}_setValue_direct_setNeedsUpdate(e,t){this.targetObject[this.propertyName]=e[t],this.targetObject.needsUpdate=!0}_setValue_direct_setMatrixWorldNeedsUpdate(e,t){this.targetObject[this.propertyName]=e[t],this.targetObject.matrixWorldNeedsUpdate=!0}_setValue_array(e,t){let n=this.resolvedProperty;for(let s=0,r=n.length;s!==r;++s)n[s]=e[t++]}_setValue_array_setNeedsUpdate(e,t){let n=this.resolvedProperty;for(let s=0,r=n.length;s!==r;++s)n[s]=e[t++];this.targetObject.needsUpdate=!0}_setValue_array_setMatrixWorldNeedsUpdate(e,t){let n=this.resolvedProperty;for(let s=0,r=n.length;s!==r;++s)n[s]=e[t++];this.targetObject.matrixWorldNeedsUpdate=!0}_setValue_arrayElement(e,t){this.resolvedProperty[this.propertyIndex]=e[t]}_setValue_arrayElement_setNeedsUpdate(e,t){this.resolvedProperty[this.propertyIndex]=e[t],this.targetObject.needsUpdate=!0}_setValue_arrayElement_setMatrixWorldNeedsUpdate(e,t){this.resolvedProperty[this.propertyIndex]=e[t],this.targetObject.matrixWorldNeedsUpdate=!0}_setValue_fromArray(e,t){this.resolvedProperty.fromArray(e,t)}_setValue_fromArray_setNeedsUpdate(e,t){this.resolvedProperty.fromArray(e,t),this.targetObject.needsUpdate=!0}_setValue_fromArray_setMatrixWorldNeedsUpdate(e,t){this.resolvedProperty.fromArray(e,t),this.targetObject.matrixWorldNeedsUpdate=!0}_getValue_unbound(e,t){this.bind(),this.getValue(e,t)}_setValue_unbound(e,t){this.bind(),this.setValue(e,t)}bind(){let e=this.node,t=this.parsedPath,n=t.objectName,s=t.propertyName,r=t.propertyIndex;if(e||(e=i.findNode(this.rootNode,t.nodeName),this.node=e),this.getValue=this._getValue_unavailable,this.setValue=this._setValue_unavailable,!e){Pe("PropertyBinding: No target node found for track: "+this.path+".");return}if(n){let c=t.objectIndex;switch(n){case"materials":if(!e.material){Le("PropertyBinding: Can not bind to material as node does not have a material.",this);return}if(!e.material.materials){Le("PropertyBinding: Can not bind to material.materials as node.material does not have a materials array.",this);return}e=e.material.materials;break;case"bones":if(!e.skeleton){Le("PropertyBinding: Can not bind to bones as node does not have a skeleton.",this);return}e=e.skeleton.bones;for(let h=0;h<e.length;h++)if(e[h].name===c){c=h;break}break;case"map":if("map"in e){e=e.map;break}if(!e.material){Le("PropertyBinding: Can not bind to material as node does not have a material.",this);return}if(!e.material.map){Le("PropertyBinding: Can not bind to material.map as node.material does not have a map.",this);return}e=e.material.map;break;default:if(e[n]===void 0){Le("PropertyBinding: Can not bind to objectName of node undefined.",this);return}e=e[n]}if(c!==void 0){if(e[c]===void 0){Le("PropertyBinding: Trying to bind to objectIndex of objectName, but is undefined.",this,e);return}e=e[c]}}let a=e[s];if(a===void 0){let c=t.nodeName;Le("PropertyBinding: Trying to update property for track: "+c+"."+s+" but it wasn't found.",e);return}let o=this.Versioning.None;this.targetObject=e,e.isMaterial===!0?o=this.Versioning.NeedsUpdate:e.isObject3D===!0&&(o=this.Versioning.MatrixWorldNeedsUpdate);let l=this.BindingType.Direct;if(r!==void 0){if(s==="morphTargetInfluences"){if(!e.geometry){Le("PropertyBinding: Can not bind to morphTargetInfluences because node does not have a geometry.",this);return}if(!e.geometry.morphAttributes){Le("PropertyBinding: Can not bind to morphTargetInfluences because node does not have a geometry.morphAttributes.",this);return}e.morphTargetDictionary[r]!==void 0&&(r=e.morphTargetDictionary[r])}l=this.BindingType.ArrayElement,this.resolvedProperty=a,this.propertyIndex=r}else a.fromArray!==void 0&&a.toArray!==void 0?(l=this.BindingType.HasFromToArray,this.resolvedProperty=a):Array.isArray(a)?(l=this.BindingType.EntireArray,this.resolvedProperty=a):this.propertyName=s;this.getValue=this.GetterByBindingType[l],this.setValue=this.SetterByBindingTypeAndVersioning[l][o]}unbind(){this.node=null,this.getValue=this._getValue_unbound,this.setValue=this._setValue_unbound}};st.Composite=Ec;st.prototype.BindingType={Direct:0,EntireArray:1,ArrayElement:2,HasFromToArray:3};st.prototype.Versioning={None:0,NeedsUpdate:1,MatrixWorldNeedsUpdate:2};st.prototype.GetterByBindingType=[st.prototype._getValue_direct,st.prototype._getValue_array,st.prototype._getValue_arrayElement,st.prototype._getValue_toArray];st.prototype.SetterByBindingTypeAndVersioning=[[st.prototype._setValue_direct,st.prototype._setValue_direct_setNeedsUpdate,st.prototype._setValue_direct_setMatrixWorldNeedsUpdate],[st.prototype._setValue_array,st.prototype._setValue_array_setNeedsUpdate,st.prototype._setValue_array_setMatrixWorldNeedsUpdate],[st.prototype._setValue_arrayElement,st.prototype._setValue_arrayElement_setNeedsUpdate,st.prototype._setValue_arrayElement_setMatrixWorldNeedsUpdate],[st.prototype._setValue_fromArray,st.prototype._setValue_fromArray_setNeedsUpdate,st.prototype._setValue_fromArray_setMatrixWorldNeedsUpdate]];var fb=new Float32Array(1);var Ur=class extends ro{constructor(e,t,n=1){super(e,t),this.isInstancedInterleavedBuffer=!0,this.meshPerAttribute=n}copy(e){return super.copy(e),this.meshPerAttribute=e.meshPerAttribute,this}clone(e){let t=super.clone(e);return t.meshPerAttribute=this.meshPerAttribute,t}toJSON(e){let t=super.toJSON(e);return t.isInstancedInterleavedBuffer=!0,t.meshPerAttribute=this.meshPerAttribute,t}};var Cc=class{static{this.prototype.isMatrix2=!0}constructor(e,t,n,s){this.elements=[1,0,0,1],e!==void 0&&this.set(e,t,n,s)}identity(){return this.set(1,0,0,1),this}fromArray(e,t=0){for(let n=0;n<4;n++)this.elements[n]=e[n+t];return this}set(e,t,n,s){let r=this.elements;return r[0]=e,r[2]=t,r[1]=n,r[3]=s,this}};function sh(i,e,t,n){let s=Sm(n);switch(t){case Yc:return i*e;case Br:return i*e/s.components*s.byteLength;case Po:return i*e/s.components*s.byteLength;case Ii:return i*e*2/s.components*s.byteLength;case Io:return i*e*2/s.components*s.byteLength;case Jc:return i*e*3/s.components*s.byteLength;case un:return i*e*4/s.components*s.byteLength;case Lo:return i*e*4/s.components*s.byteLength;case zr:case Vr:return Math.floor((i+3)/4)*Math.floor((e+3)/4)*8;case Hr:case Gr:return Math.floor((i+3)/4)*Math.floor((e+3)/4)*16;case Do:case Uo:return Math.max(i,16)*Math.max(e,8)/4;case No:case Fo:return Math.max(i,8)*Math.max(e,8)/2;case Oo:case ko:case zo:case Vo:return Math.floor((i+3)/4)*Math.floor((e+3)/4)*8;case Bo:case Wr:case Ho:return Math.floor((i+3)/4)*Math.floor((e+3)/4)*16;case Go:return Math.floor((i+3)/4)*Math.floor((e+3)/4)*16;case Wo:return Math.floor((i+4)/5)*Math.floor((e+3)/4)*16;case Xo:return Math.floor((i+4)/5)*Math.floor((e+4)/5)*16;case qo:return Math.floor((i+5)/6)*Math.floor((e+4)/5)*16;case $o:return Math.floor((i+5)/6)*Math.floor((e+5)/6)*16;case Yo:return Math.floor((i+7)/8)*Math.floor((e+4)/5)*16;case Jo:return Math.floor((i+7)/8)*Math.floor((e+5)/6)*16;case Zo:return Math.floor((i+7)/8)*Math.floor((e+7)/8)*16;case Ko:return Math.floor((i+9)/10)*Math.floor((e+4)/5)*16;case jo:return Math.floor((i+9)/10)*Math.floor((e+5)/6)*16;case Qo:return Math.floor((i+9)/10)*Math.floor((e+7)/8)*16;case el:return Math.floor((i+9)/10)*Math.floor((e+9)/10)*16;case tl:return Math.floor((i+11)/12)*Math.floor((e+9)/10)*16;case nl:return Math.floor((i+11)/12)*Math.floor((e+11)/12)*16;case il:case sl:case rl:return Math.ceil(i/4)*Math.ceil(e/4)*16;case al:case ol:return Math.ceil(i/4)*Math.ceil(e/4)*8;case Xr:case ll:return Math.ceil(i/4)*Math.ceil(e/4)*16}throw new Error(`Unable to determine texture byte length for ${t} format.`)}function Sm(i){switch(i){case Yt:case Wc:return{byteLength:1,components:1};case ks:case Xc:case Ln:return{byteLength:2,components:1};case Co:case Ro:return{byteLength:2,components:4};case In:case Eo:case hn:return{byteLength:4,components:1};case qc:case $c:return{byteLength:4,components:3}}throw new Error(`THREE.TextureUtils: Unknown texture type ${i}.`)}typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("register",{detail:{revision:"187"}}));typeof window<"u"&&(window.__THREE__?Pe("WARNING: Multiple instances of Three.js being imported."):window.__THREE__="187");function Df(){let i=null,e=!1,t=null,n=null;function s(r,a){n=i.requestAnimationFrame(s),t(r,a)}return{start:function(){e!==!0&&t!==null&&i!==null&&(n=i.requestAnimationFrame(s),e=!0)},stop:function(){i!==null&&i.cancelAnimationFrame(n),e=!1},setAnimationLoop:function(r){t=r},setContext:function(r){i=r}}}function wm(i){let e=new WeakMap;function t(o,l){let c=o.array,h=o.usage,f=c.byteLength,d=i.createBuffer();i.bindBuffer(l,d),i.bufferData(l,c,h),o.onUploadCallback();let u;if(c instanceof Float32Array)u=i.FLOAT;else if(typeof Float16Array<"u"&&c instanceof Float16Array)u=i.HALF_FLOAT;else if(c instanceof Uint16Array)o.isFloat16BufferAttribute?u=i.HALF_FLOAT:u=i.UNSIGNED_SHORT;else if(c instanceof Int16Array)u=i.SHORT;else if(c instanceof Uint32Array)u=i.UNSIGNED_INT;else if(c instanceof Int32Array)u=i.INT;else if(c instanceof Int8Array)u=i.BYTE;else if(c instanceof Uint8Array)u=i.UNSIGNED_BYTE;else if(c instanceof Uint8ClampedArray)u=i.UNSIGNED_BYTE;else throw new Error("THREE.WebGLAttributes: Unsupported buffer data format: "+c);return{buffer:d,type:u,bytesPerElement:c.BYTES_PER_ELEMENT,version:o.version,size:f}}function n(o,l,c){let h=l.array,f=l.updateRanges;if(i.bindBuffer(c,o),f.length===0)i.bufferSubData(c,0,h);else{f.sort((u,p)=>u.start-p.start);let d=0;for(let u=1;u<f.length;u++){let p=f[d],v=f[u];v.start<=p.start+p.count+1?p.count=Math.max(p.count,v.start+v.count-p.start):(++d,f[d]=v)}f.length=d+1;for(let u=0,p=f.length;u<p;u++){let v=f[u];i.bufferSubData(c,v.start*h.BYTES_PER_ELEMENT,h,v.start,v.count)}l.clearUpdateRanges()}l.onUploadCallback()}function s(o){return o.isInterleavedBufferAttribute&&(o=o.data),e.get(o)}function r(o){o.isInterleavedBufferAttribute&&(o=o.data);let l=e.get(o);l&&(i.deleteBuffer(l.buffer),e.delete(o))}function a(o,l){if(o.isInterleavedBufferAttribute&&(o=o.data),o.isGLBufferAttribute){let h=e.get(o);(!h||h.version<o.version)&&e.set(o,{buffer:o.buffer,type:o.type,bytesPerElement:o.elementSize,version:o.version});return}let c=e.get(o);if(c===void 0)e.set(o,t(o,l));else if(c.version<o.version){if(c.size!==o.array.byteLength)throw new Error("THREE.WebGLAttributes: The size of the buffer attribute's array buffer does not match the original size. Resizing buffer attributes is not supported.");n(c.buffer,o,l),c.version=o.version}}return{get:s,remove:r,update:a}}var Am=`#ifdef USE_ALPHAHASH
+	if ( diffuseColor.a < getAlphaHashThreshold( vPosition ) ) discard;
+#endif`,Tm=`#ifdef USE_ALPHAHASH
+	const float ALPHA_HASH_SCALE = 0.05;
+	float hash2D( vec2 value ) {
+		return fract( 1.0e4 * sin( 17.0 * value.x + 0.1 * value.y ) * ( 0.1 + abs( sin( 13.0 * value.y + value.x ) ) ) );
+	}
+	float hash3D( vec3 value ) {
+		return hash2D( vec2( hash2D( value.xy ), value.z ) );
+	}
+	float getAlphaHashThreshold( vec3 position ) {
+		float maxDeriv = max(
+			length( dFdx( position.xyz ) ),
+			length( dFdy( position.xyz ) )
+		);
+		float pixScale = 1.0 / ( ALPHA_HASH_SCALE * maxDeriv );
+		vec2 pixScales = vec2(
+			exp2( floor( log2( pixScale ) ) ),
+			exp2( ceil( log2( pixScale ) ) )
+		);
+		vec2 alpha = vec2(
+			hash3D( floor( pixScales.x * position.xyz ) ),
+			hash3D( floor( pixScales.y * position.xyz ) )
+		);
+		float lerpFactor = fract( log2( pixScale ) );
+		float x = ( 1.0 - lerpFactor ) * alpha.x + lerpFactor * alpha.y;
+		float a = min( lerpFactor, 1.0 - lerpFactor );
+		vec3 cases = vec3(
+			x * x / ( 2.0 * a * ( 1.0 - a ) ),
+			( x - 0.5 * a ) / ( 1.0 - a ),
+			1.0 - ( ( 1.0 - x ) * ( 1.0 - x ) / ( 2.0 * a * ( 1.0 - a ) ) )
+		);
+		float threshold = ( x < ( 1.0 - a ) )
+			? ( ( x < a ) ? cases.x : cases.y )
+			: cases.z;
+		return clamp( threshold , 1.0e-6, 1.0 );
+	}
+#endif`,Em=`#ifdef USE_ALPHAMAP
+	diffuseColor.a *= texture2D( alphaMap, vAlphaMapUv ).g;
+#endif`,Cm=`#ifdef USE_ALPHAMAP
+	uniform sampler2D alphaMap;
+#endif`,Rm=`#ifdef USE_ALPHATEST
+	#ifdef ALPHA_TO_COVERAGE
+	diffuseColor.a = smoothstep( alphaTest, alphaTest + fwidth( diffuseColor.a ), diffuseColor.a );
+	if ( diffuseColor.a == 0.0 ) discard;
+	#else
+	if ( diffuseColor.a < alphaTest ) discard;
+	#endif
+#endif`,Pm=`#ifdef USE_ALPHATEST
+	uniform float alphaTest;
+#endif`,Im=`#ifdef USE_AOMAP
+	float ambientOcclusion = ( texture2D( aoMap, vAoMapUv ).r - 1.0 ) * aoMapIntensity + 1.0;
+	reflectedLight.indirectDiffuse *= ambientOcclusion;
+	#if defined( USE_CLEARCOAT ) 
+		clearcoatSpecularIndirect *= ambientOcclusion;
+	#endif
+	#if defined( USE_SHEEN ) 
+		sheenSpecularIndirect *= ambientOcclusion;
+	#endif
+	#if defined( USE_ENVMAP ) && defined( STANDARD )
+		float dotNV = saturate( dot( geometryNormal, geometryViewDir ) );
+		reflectedLight.indirectSpecular *= computeSpecularOcclusion( dotNV, ambientOcclusion, material.roughness );
+	#endif
+#endif`,Lm=`#ifdef USE_AOMAP
+	uniform sampler2D aoMap;
+	uniform float aoMapIntensity;
+#endif`,Nm=`#ifdef USE_BATCHING
+	#if ! defined( GL_ANGLE_multi_draw )
+	#define gl_DrawID _gl_DrawID
+	uniform int _gl_DrawID;
+	#endif
+	uniform highp sampler2D batchingTexture;
+	uniform highp usampler2D batchingIdTexture;
+	mat4 getBatchingMatrix( const in float i ) {
+		int size = textureSize( batchingTexture, 0 ).x;
+		int j = int( i ) * 4;
+		int x = j % size;
+		int y = j / size;
+		vec4 v1 = texelFetch( batchingTexture, ivec2( x, y ), 0 );
+		vec4 v2 = texelFetch( batchingTexture, ivec2( x + 1, y ), 0 );
+		vec4 v3 = texelFetch( batchingTexture, ivec2( x + 2, y ), 0 );
+		vec4 v4 = texelFetch( batchingTexture, ivec2( x + 3, y ), 0 );
+		return mat4( v1, v2, v3, v4 );
+	}
+	float getIndirectIndex( const in int i ) {
+		int size = textureSize( batchingIdTexture, 0 ).x;
+		int x = i % size;
+		int y = i / size;
+		return float( texelFetch( batchingIdTexture, ivec2( x, y ), 0 ).r );
+	}
+#endif
+#ifdef USE_BATCHING_COLOR
+	uniform sampler2D batchingColorTexture;
+	vec4 getBatchingColor( const in float i ) {
+		int size = textureSize( batchingColorTexture, 0 ).x;
+		int j = int( i );
+		int x = j % size;
+		int y = j / size;
+		return texelFetch( batchingColorTexture, ivec2( x, y ), 0 );
+	}
+#endif`,Dm=`#ifdef USE_BATCHING
+	mat4 batchingMatrix = getBatchingMatrix( getIndirectIndex( gl_DrawID ) );
+#endif`,Fm=`vec3 transformed = vec3( position );
+#ifdef USE_ALPHAHASH
+	vPosition = vec3( position );
+#endif`,Um=`vec3 objectNormal = vec3( normal );
+#ifdef USE_TANGENT
+	vec3 objectTangent = vec3( tangent.xyz );
+#endif`,Om=`float G_BlinnPhong_Implicit( ) {
+	return 0.25;
+}
+float D_BlinnPhong( const in float shininess, const in float dotNH ) {
+	return RECIPROCAL_PI * ( shininess * 0.5 + 1.0 ) * pow( dotNH, shininess );
+}
+vec3 BRDF_BlinnPhong( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in vec3 specularColor, const in float shininess ) {
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float dotVH = saturate( dot( viewDir, halfDir ) );
+	vec3 F = F_Schlick( specularColor, 1.0, dotVH );
+	float G = G_BlinnPhong_Implicit( );
+	float D = D_BlinnPhong( shininess, dotNH );
+	return F * ( G * D );
+} // validated`,km=`#ifdef USE_IRIDESCENCE
+	const mat3 XYZ_TO_REC709 = mat3(
+		 3.2404542, -0.9692660,  0.0556434,
+		-1.5371385,  1.8760108, -0.2040259,
+		-0.4985314,  0.0415560,  1.0572252
+	);
+	vec3 Fresnel0ToIor( vec3 fresnel0 ) {
+		vec3 sqrtF0 = sqrt( fresnel0 );
+		return ( vec3( 1.0 ) + sqrtF0 ) / ( vec3( 1.0 ) - sqrtF0 );
+	}
+	vec3 IorToFresnel0( vec3 transmittedIor, float incidentIor ) {
+		return pow2( ( transmittedIor - vec3( incidentIor ) ) / ( transmittedIor + vec3( incidentIor ) ) );
+	}
+	float IorToFresnel0( float transmittedIor, float incidentIor ) {
+		return pow2( ( transmittedIor - incidentIor ) / ( transmittedIor + incidentIor ));
+	}
+	vec3 evalSensitivity( float OPD, vec3 shift ) {
+		float phase = 2.0 * PI * OPD * 1.0e-9;
+		vec3 val = vec3( 5.4856e-13, 4.4201e-13, 5.2481e-13 );
+		vec3 pos = vec3( 1.6810e+06, 1.7953e+06, 2.2084e+06 );
+		vec3 var = vec3( 4.3278e+09, 9.3046e+09, 6.6121e+09 );
+		vec3 xyz = val * sqrt( 2.0 * PI * var ) * cos( pos * phase + shift ) * exp( - pow2( phase ) * var );
+		xyz.x += 9.7470e-14 * sqrt( 2.0 * PI * 4.5282e+09 ) * cos( 2.2399e+06 * phase + shift[ 0 ] ) * exp( - 4.5282e+09 * pow2( phase ) );
+		xyz /= 1.0685e-7;
+		vec3 rgb = XYZ_TO_REC709 * xyz;
+		return rgb;
+	}
+	vec3 evalIridescence( float outsideIOR, float eta2, float cosTheta1, float thinFilmThickness, vec3 baseF0 ) {
+		vec3 I;
+		float iridescenceIOR = mix( outsideIOR, eta2, smoothstep( 0.0, 0.03, thinFilmThickness ) );
+		float sinTheta2Sq = pow2( outsideIOR / iridescenceIOR ) * ( 1.0 - pow2( cosTheta1 ) );
+		float cosTheta2Sq = 1.0 - sinTheta2Sq;
+		if ( cosTheta2Sq < 0.0 ) {
+			return vec3( 1.0 );
+		}
+		float cosTheta2 = sqrt( cosTheta2Sq );
+		float R0 = IorToFresnel0( iridescenceIOR, outsideIOR );
+		float R12 = F_Schlick( R0, 1.0, cosTheta1 );
+		float T121 = 1.0 - R12;
+		float phi12 = 0.0;
+		if ( iridescenceIOR < outsideIOR ) phi12 = PI;
+		float phi21 = PI - phi12;
+		vec3 baseIOR = Fresnel0ToIor( clamp( baseF0, 0.0, 0.9999 ) );		vec3 R1 = IorToFresnel0( baseIOR, iridescenceIOR );
+		vec3 R23 = F_Schlick( R1, 1.0, cosTheta2 );
+		vec3 phi23 = vec3( 0.0 );
+		if ( baseIOR[ 0 ] < iridescenceIOR ) phi23[ 0 ] = PI;
+		if ( baseIOR[ 1 ] < iridescenceIOR ) phi23[ 1 ] = PI;
+		if ( baseIOR[ 2 ] < iridescenceIOR ) phi23[ 2 ] = PI;
+		float OPD = 2.0 * iridescenceIOR * thinFilmThickness * cosTheta2;
+		vec3 phi = vec3( phi21 ) + phi23;
+		vec3 R123 = clamp( R12 * R23, 1e-5, 0.9999 );
+		vec3 r123 = sqrt( R123 );
+		vec3 Rs = pow2( T121 ) * R23 / ( vec3( 1.0 ) - R123 );
+		vec3 C0 = R12 + Rs;
+		I = C0;
+		vec3 Cm = Rs - T121;
+		for ( int m = 1; m <= 2; ++ m ) {
+			Cm *= r123;
+			vec3 Sm = 2.0 * evalSensitivity( float( m ) * OPD, float( m ) * phi );
+			I += Cm * Sm;
+		}
+		return max( I, vec3( 0.0 ) );
+	}
+#endif`,Bm=`#ifdef USE_BUMPMAP
+	uniform sampler2D bumpMap;
+	uniform float bumpScale;
+	vec2 dHdxy_fwd() {
+		vec2 dSTdx = dFdx( vBumpMapUv );
+		vec2 dSTdy = dFdy( vBumpMapUv );
+		float Hll = bumpScale * texture2D( bumpMap, vBumpMapUv ).x;
+		float dBx = bumpScale * texture2D( bumpMap, vBumpMapUv + dSTdx ).x - Hll;
+		float dBy = bumpScale * texture2D( bumpMap, vBumpMapUv + dSTdy ).x - Hll;
+		return vec2( dBx, dBy );
+	}
+	vec3 perturbNormalArb( vec3 surf_pos, vec3 surf_norm, vec2 dHdxy, float faceDirection ) {
+		vec3 vSigmaX = normalize( dFdx( surf_pos.xyz ) );
+		vec3 vSigmaY = normalize( dFdy( surf_pos.xyz ) );
+		vec3 vN = surf_norm;
+		vec3 R1 = cross( vSigmaY, vN );
+		vec3 R2 = cross( vN, vSigmaX );
+		float fDet = dot( vSigmaX, R1 ) * faceDirection;
+		vec3 vGrad = sign( fDet ) * ( dHdxy.x * R1 + dHdxy.y * R2 );
+		return normalize( abs( fDet ) * surf_norm - vGrad );
+	}
+#endif`,zm=`#if NUM_CLIPPING_PLANES > 0
+	vec4 plane;
+	#ifdef ALPHA_TO_COVERAGE
+		float distanceToPlane, distanceGradient;
+		float clipOpacity = 1.0;
+		#pragma unroll_loop_start
+		for ( int i = 0; i < UNION_CLIPPING_PLANES; i ++ ) {
+			plane = clippingPlanes[ i ];
+			distanceToPlane = - dot( vClipPosition, plane.xyz ) + plane.w;
+			distanceGradient = fwidth( distanceToPlane ) / 2.0;
+			clipOpacity *= smoothstep( - distanceGradient, distanceGradient, distanceToPlane );
+			if ( clipOpacity == 0.0 ) discard;
+		}
+		#pragma unroll_loop_end
+		#if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES
+			float unionClipOpacity = 1.0;
+			#pragma unroll_loop_start
+			for ( int i = UNION_CLIPPING_PLANES; i < NUM_CLIPPING_PLANES; i ++ ) {
+				plane = clippingPlanes[ i ];
+				distanceToPlane = - dot( vClipPosition, plane.xyz ) + plane.w;
+				distanceGradient = fwidth( distanceToPlane ) / 2.0;
+				unionClipOpacity *= 1.0 - smoothstep( - distanceGradient, distanceGradient, distanceToPlane );
+			}
+			#pragma unroll_loop_end
+			clipOpacity *= 1.0 - unionClipOpacity;
+		#endif
+		diffuseColor.a *= clipOpacity;
+		if ( diffuseColor.a == 0.0 ) discard;
+	#else
+		#pragma unroll_loop_start
+		for ( int i = 0; i < UNION_CLIPPING_PLANES; i ++ ) {
+			plane = clippingPlanes[ i ];
+			if ( dot( vClipPosition, plane.xyz ) > plane.w ) discard;
+		}
+		#pragma unroll_loop_end
+		#if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES
+			bool clipped = true;
+			#pragma unroll_loop_start
+			for ( int i = UNION_CLIPPING_PLANES; i < NUM_CLIPPING_PLANES; i ++ ) {
+				plane = clippingPlanes[ i ];
+				clipped = ( dot( vClipPosition, plane.xyz ) > plane.w ) && clipped;
+			}
+			#pragma unroll_loop_end
+			if ( clipped ) discard;
+		#endif
+	#endif
+#endif`,Vm=`#if NUM_CLIPPING_PLANES > 0
+	varying vec3 vClipPosition;
+	uniform vec4 clippingPlanes[ NUM_CLIPPING_PLANES ];
+#endif`,Hm=`#if NUM_CLIPPING_PLANES > 0
+	varying vec3 vClipPosition;
+#endif`,Gm=`#if NUM_CLIPPING_PLANES > 0
+	vClipPosition = - mvPosition.xyz;
+#endif`,Wm=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA )
+	diffuseColor *= vColor;
+#endif`,Xm=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA )
+	varying vec4 vColor;
+#endif`,qm=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_COLOR )
+	varying vec4 vColor;
+#endif`,$m=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_COLOR )
+	vColor = vec4( 1.0 );
+#endif
+#ifdef USE_COLOR_ALPHA
+	vColor *= color;
+#elif defined( USE_COLOR )
+	vColor.rgb *= color;
+#endif
+#ifdef USE_INSTANCING_COLOR
+	vColor.rgb *= instanceColor.rgb;
+#endif
+#ifdef USE_BATCHING_COLOR
+	vColor *= getBatchingColor( getIndirectIndex( gl_DrawID ) );
+#endif`,Ym=`#define PI 3.141592653589793
+#define PI2 6.283185307179586
+#define PI_HALF 1.5707963267948966
+#define RECIPROCAL_PI 0.3183098861837907
+#define RECIPROCAL_PI2 0.15915494309189535
+#define EPSILON 1e-6
+#ifndef saturate
+#define saturate( a ) clamp( a, 0.0, 1.0 )
+#endif
+#define whiteComplement( a ) ( 1.0 - saturate( a ) )
+float pow2( const in float x ) { return x*x; }
+vec3 pow2( const in vec3 x ) { return x*x; }
+float pow3( const in float x ) { return x*x*x; }
+float pow4( const in float x ) { float x2 = x*x; return x2*x2; }
+float max3( const in vec3 v ) { return max( max( v.x, v.y ), v.z ); }
+float average( const in vec3 v ) { return dot( v, vec3( 0.3333333 ) ); }
+highp float rand( const in vec2 uv ) {
+	const highp float a = 12.9898, b = 78.233, c = 43758.5453;
+	highp float dt = dot( uv.xy, vec2( a,b ) ), sn = mod( dt, PI );
+	return fract( sin( sn ) * c );
+}
+#ifdef HIGH_PRECISION
+	float precisionSafeLength( vec3 v ) { return length( v ); }
+#else
+	float precisionSafeLength( vec3 v ) {
+		float maxComponent = max3( abs( v ) );
+		return length( v / maxComponent ) * maxComponent;
+	}
+#endif
+struct IncidentLight {
+	vec3 color;
+	vec3 direction;
+	bool visible;
+};
+struct ReflectedLight {
+	vec3 directDiffuse;
+	vec3 directSpecular;
+	vec3 indirectDiffuse;
+	vec3 indirectSpecular;
+};
+#ifdef USE_ALPHAHASH
+	varying vec3 vPosition;
+#endif
+vec3 transformDirection( in vec3 dir, in mat4 matrix ) {
+	return normalize( ( matrix * vec4( dir, 0.0 ) ).xyz );
+}
+#define inverseTransformDirection transformDirectionByInverseViewMatrix
+vec3 transformNormalByInverseViewMatrix( in vec3 normal, in mat4 viewMatrix ) {
+	return normalize( ( vec4( normal, 0.0 ) * viewMatrix ).xyz );
+}
+vec3 transformDirectionByInverseViewMatrix( in vec3 dir, in mat4 viewMatrix ) {
+	return normalize( ( vec4( dir, 0.0 ) * viewMatrix ).xyz );
+}
+bool isPerspectiveMatrix( mat4 m ) {
+	return m[ 2 ][ 3 ] == - 1.0;
+}
+vec2 equirectUv( in vec3 dir ) {
+	float u = atan( dir.z, dir.x ) * RECIPROCAL_PI2 + 0.5;
+	float v = asin( clamp( dir.y, - 1.0, 1.0 ) ) * RECIPROCAL_PI + 0.5;
+	return vec2( u, v );
+}
+vec3 BRDF_Lambert( const in vec3 diffuseColor ) {
+	return RECIPROCAL_PI * diffuseColor;
+}
+vec3 F_Schlick( const in vec3 f0, const in float f90, const in float dotVH ) {
+	float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );
+	return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );
+}
+float F_Schlick( const in float f0, const in float f90, const in float dotVH ) {
+	float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );
+	return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );
+} // validated`,Jm=`vec3 transformedNormal = objectNormal;
+#ifdef USE_TANGENT
+	vec3 transformedTangent = objectTangent;
+#endif
+#ifdef USE_BATCHING
+	mat3 bm = mat3( batchingMatrix );
+	transformedNormal /= vec3( dot( bm[ 0 ], bm[ 0 ] ), dot( bm[ 1 ], bm[ 1 ] ), dot( bm[ 2 ], bm[ 2 ] ) );
+	transformedNormal = bm * transformedNormal;
+	#ifdef USE_TANGENT
+		transformedTangent = bm * transformedTangent;
+	#endif
+#endif
+#ifdef USE_INSTANCING
+	mat3 im = mat3( instanceMatrix );
+	transformedNormal /= vec3( dot( im[ 0 ], im[ 0 ] ), dot( im[ 1 ], im[ 1 ] ), dot( im[ 2 ], im[ 2 ] ) );
+	transformedNormal = im * transformedNormal;
+	#ifdef USE_TANGENT
+		transformedTangent = im * transformedTangent;
+	#endif
+#endif
+transformedNormal = normalMatrix * transformedNormal;
+#ifdef FLIP_SIDED
+	transformedNormal = - transformedNormal;
+#endif
+#ifdef USE_TANGENT
+	transformedTangent = ( modelViewMatrix * vec4( transformedTangent, 0.0 ) ).xyz;
+#endif`,Zm=`#ifdef USE_DISPLACEMENTMAP
+	uniform sampler2D displacementMap;
+	uniform float displacementScale;
+	uniform float displacementBias;
+#endif`,Km=`#ifdef USE_DISPLACEMENTMAP
+	transformed += normalize( objectNormal ) * ( texture2D( displacementMap, vDisplacementMapUv ).x * displacementScale + displacementBias );
+#endif`,jm=`#ifdef USE_EMISSIVEMAP
+	vec4 emissiveColor = texture2D( emissiveMap, vEmissiveMapUv );
+	#ifdef DECODE_VIDEO_TEXTURE_EMISSIVE
+		emissiveColor = sRGBTransferEOTF( emissiveColor );
+	#endif
+	totalEmissiveRadiance *= emissiveColor.rgb;
+#endif`,Qm=`#ifdef USE_EMISSIVEMAP
+	uniform sampler2D emissiveMap;
+#endif`,eg="gl_FragColor = linearToOutputTexel( gl_FragColor );",tg=`vec4 LinearTransferOETF( in vec4 value ) {
+	return value;
+}
+vec4 sRGBTransferEOTF( in vec4 value ) {
+	return vec4( mix( pow( value.rgb * 0.9478672986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), value.rgb * 0.0773993808, vec3( lessThanEqual( value.rgb, vec3( 0.04045 ) ) ) ), value.a );
+}
+vec4 sRGBTransferOETF( in vec4 value ) {
+	return vec4( mix( pow( value.rgb, vec3( 0.41666 ) ) * 1.055 - vec3( 0.055 ), value.rgb * 12.92, vec3( lessThanEqual( value.rgb, vec3( 0.0031308 ) ) ) ), value.a );
+}`,ng=`#ifdef USE_ENVMAP
+	#ifdef ENV_WORLDPOS
+		vec3 cameraToFrag;
+		if ( isOrthographic ) {
+			cameraToFrag = normalize( vec3( - viewMatrix[ 0 ][ 2 ], - viewMatrix[ 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );
+		} else {
+			cameraToFrag = normalize( vWorldPosition - cameraPosition );
+		}
+		vec3 worldNormal = transformNormalByInverseViewMatrix( normal, viewMatrix );
+		#ifdef ENVMAP_MODE_REFLECTION
+			vec3 reflectVec = reflect( cameraToFrag, worldNormal );
+		#else
+			vec3 reflectVec = refract( cameraToFrag, worldNormal, refractionRatio );
+		#endif
+	#else
+		vec3 reflectVec = vReflect;
+	#endif
+	#ifdef ENVMAP_TYPE_CUBE
+		vec4 envColor = textureCube( envMap, envMapRotation * reflectVec );
+		#ifdef ENVMAP_BLENDING_MULTIPLY
+			outgoingLight = mix( outgoingLight, outgoingLight * envColor.xyz, specularStrength * reflectivity );
+		#elif defined( ENVMAP_BLENDING_MIX )
+			outgoingLight = mix( outgoingLight, envColor.xyz, specularStrength * reflectivity );
+		#elif defined( ENVMAP_BLENDING_ADD )
+			outgoingLight += envColor.xyz * specularStrength * reflectivity;
+		#endif
+	#endif
+#endif`,ig=`#ifdef USE_ENVMAP
+	uniform float envMapIntensity;
+	uniform mat3 envMapRotation;
+	uniform samplerCube envMap;
+	#ifdef ENVMAP_TYPE_PMREM
+		float roughnessToMip( const in float roughness ) {
+			float r = clamp( roughness, 0.0, 1.0 );
+			return ENVMAP_MAX_LOD * r * ( 2.0 - r );
+		}
+	#endif
+#endif`,sg=`#ifdef USE_ENVMAP
+	uniform float reflectivity;
+	#if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )
+		#define ENV_WORLDPOS
+	#endif
+	#ifdef ENV_WORLDPOS
+		varying vec3 vWorldPosition;
+		uniform float refractionRatio;
+	#else
+		varying vec3 vReflect;
+	#endif
+#endif`,rg=`#ifdef USE_ENVMAP
+	#if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )
+		#define ENV_WORLDPOS
+	#endif
+	#ifdef ENV_WORLDPOS
+		
+		varying vec3 vWorldPosition;
+	#else
+		varying vec3 vReflect;
+		uniform float refractionRatio;
+	#endif
+#endif`,ag=`#ifdef USE_ENVMAP
+	#ifdef ENV_WORLDPOS
+		vWorldPosition = worldPosition.xyz;
+	#else
+		vec3 cameraToVertex;
+		if ( isOrthographic ) {
+			cameraToVertex = normalize( vec3( - viewMatrix[ 0 ][ 2 ], - viewMatrix[ 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );
+		} else {
+			cameraToVertex = normalize( worldPosition.xyz - cameraPosition );
+		}
+		vec3 worldNormal = transformNormalByInverseViewMatrix( transformedNormal, viewMatrix );
+		#ifdef ENVMAP_MODE_REFLECTION
+			vReflect = reflect( cameraToVertex, worldNormal );
+		#else
+			vReflect = refract( cameraToVertex, worldNormal, refractionRatio );
+		#endif
+	#endif
+#endif`,og=`#ifdef USE_FOG
+	vFogDepth = - mvPosition.z;
+#endif`,lg=`#ifdef USE_FOG
+	varying float vFogDepth;
+#endif`,cg=`#ifdef USE_FOG
+	#ifdef FOG_EXP2
+		float fogFactor = 1.0 - exp( - fogDensity * fogDensity * vFogDepth * vFogDepth );
+	#else
+		float fogFactor = smoothstep( fogNear, fogFar, vFogDepth );
+	#endif
+	gl_FragColor.rgb = mix( gl_FragColor.rgb, fogColor, fogFactor );
+#endif`,hg=`#ifdef USE_FOG
+	uniform vec3 fogColor;
+	varying float vFogDepth;
+	#ifdef FOG_EXP2
+		uniform float fogDensity;
+	#else
+		uniform float fogNear;
+		uniform float fogFar;
+	#endif
+#endif`,ug=`#ifdef USE_GRADIENTMAP
+	uniform sampler2D gradientMap;
+#endif
+vec3 getGradientIrradiance( vec3 normal, vec3 lightDirection ) {
+	float dotNL = dot( normal, lightDirection );
+	vec2 coord = vec2( dotNL * 0.5 + 0.5, 0.0 );
+	#ifdef USE_GRADIENTMAP
+		return vec3( texture2D( gradientMap, coord ).r );
+	#else
+		vec2 fw = fwidth( coord ) * 0.5;
+		return mix( vec3( 0.7 ), vec3( 1.0 ), smoothstep( 0.7 - fw.x, 0.7 + fw.x, coord.x ) );
+	#endif
+}`,dg=`#ifdef USE_LIGHTMAP
+	uniform sampler2D lightMap;
+	uniform float lightMapIntensity;
+#endif`,fg=`LambertMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.specularStrength = specularStrength;`,pg=`varying vec3 vViewPosition;
+struct LambertMaterial {
+	vec3 diffuseColor;
+	float specularStrength;
+};
+void RE_Direct_Lambert( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+void RE_IndirectDiffuse_Lambert( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_Lambert
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Lambert`,mg=`uniform bool receiveShadow;
+uniform vec3 ambientLightColor;
+#if defined( USE_LIGHT_PROBES )
+	uniform vec3 lightProbe[ 9 ];
+#endif
+vec3 shGetIrradianceAt( in vec3 normal, in vec3 shCoefficients[ 9 ] ) {
+	float x = normal.x, y = normal.y, z = normal.z;
+	vec3 result = shCoefficients[ 0 ] * 0.886227;
+	result += shCoefficients[ 1 ] * 2.0 * 0.511664 * y;
+	result += shCoefficients[ 2 ] * 2.0 * 0.511664 * z;
+	result += shCoefficients[ 3 ] * 2.0 * 0.511664 * x;
+	result += shCoefficients[ 4 ] * 2.0 * 0.429043 * x * y;
+	result += shCoefficients[ 5 ] * 2.0 * 0.429043 * y * z;
+	result += shCoefficients[ 6 ] * ( 0.743125 * z * z - 0.247708 );
+	result += shCoefficients[ 7 ] * 2.0 * 0.429043 * x * z;
+	result += shCoefficients[ 8 ] * 0.429043 * ( x * x - y * y );
+	return result;
+}
+vec3 getLightProbeIrradiance( const in vec3 lightProbe[ 9 ], const in vec3 normal ) {
+	vec3 worldNormal = transformNormalByInverseViewMatrix( normal, viewMatrix );
+	vec3 irradiance = shGetIrradianceAt( worldNormal, lightProbe );
+	return irradiance;
+}
+vec3 getAmbientLightIrradiance( const in vec3 ambientLightColor ) {
+	vec3 irradiance = ambientLightColor;
+	return irradiance;
+}
+float getDistanceAttenuation( const in float lightDistance, const in float cutoffDistance, const in float decayExponent ) {
+	float distanceFalloff = 1.0 / max( pow( lightDistance, decayExponent ), 0.01 );
+	if ( cutoffDistance > 0.0 ) {
+		distanceFalloff *= pow2( saturate( 1.0 - pow4( lightDistance / cutoffDistance ) ) );
+	}
+	return distanceFalloff;
+}
+float getSpotAttenuation( const in float coneCosine, const in float penumbraCosine, const in float angleCosine ) {
+	return smoothstep( coneCosine, penumbraCosine, angleCosine );
+}
+#if NUM_SUN_LIGHTS > 0
+	struct SunLight {
+		vec3 direction;
+		vec3 color;
+	};
+	uniform SunLight sunLights[ NUM_SUN_LIGHTS ];
+	void getSunLightInfo( const in SunLight sunLight, out IncidentLight light ) {
+		light.color = sunLight.color;
+		light.direction = sunLight.direction;
+		light.visible = true;
+	}
+#endif
+#if NUM_DIR_LIGHTS > 0
+	struct DirectionalLight {
+		vec3 direction;
+		vec3 color;
+	};
+	uniform DirectionalLight directionalLights[ NUM_DIR_LIGHTS ];
+	void getDirectionalLightInfo( const in DirectionalLight directionalLight, out IncidentLight light ) {
+		light.color = directionalLight.color;
+		light.direction = directionalLight.direction;
+		light.visible = true;
+	}
+#endif
+#if NUM_POINT_LIGHTS > 0
+	struct PointLight {
+		vec3 position;
+		vec3 color;
+		float distance;
+		float decay;
+	};
+	uniform PointLight pointLights[ NUM_POINT_LIGHTS ];
+	void getPointLightInfo( const in PointLight pointLight, const in vec3 geometryPosition, out IncidentLight light ) {
+		vec3 lVector = pointLight.position - geometryPosition;
+		light.direction = normalize( lVector );
+		float lightDistance = length( lVector );
+		light.color = pointLight.color;
+		light.color *= getDistanceAttenuation( lightDistance, pointLight.distance, pointLight.decay );
+		light.visible = ( light.color != vec3( 0.0 ) );
+	}
+#endif
+#if NUM_SPOT_LIGHTS > 0
+	struct SpotLight {
+		vec3 position;
+		vec3 direction;
+		vec3 color;
+		float distance;
+		float decay;
+		float coneCos;
+		float penumbraCos;
+	};
+	uniform SpotLight spotLights[ NUM_SPOT_LIGHTS ];
+	void getSpotLightInfo( const in SpotLight spotLight, const in vec3 geometryPosition, out IncidentLight light ) {
+		vec3 lVector = spotLight.position - geometryPosition;
+		light.direction = normalize( lVector );
+		float angleCos = dot( light.direction, spotLight.direction );
+		float spotAttenuation = getSpotAttenuation( spotLight.coneCos, spotLight.penumbraCos, angleCos );
+		if ( spotAttenuation > 0.0 ) {
+			float lightDistance = length( lVector );
+			light.color = spotLight.color * spotAttenuation;
+			light.color *= getDistanceAttenuation( lightDistance, spotLight.distance, spotLight.decay );
+			light.visible = ( light.color != vec3( 0.0 ) );
+		} else {
+			light.color = vec3( 0.0 );
+			light.visible = false;
+		}
+	}
+#endif
+#if NUM_RECT_AREA_LIGHTS > 0
+	struct RectAreaLight {
+		vec3 color;
+		vec3 position;
+		vec3 halfWidth;
+		vec3 halfHeight;
+	};
+	uniform sampler2D ltc_1;	uniform sampler2D ltc_2;
+	uniform RectAreaLight rectAreaLights[ NUM_RECT_AREA_LIGHTS ];
+#endif
+#if NUM_HEMI_LIGHTS > 0
+	struct HemisphereLight {
+		vec3 direction;
+		vec3 skyColor;
+		vec3 groundColor;
+	};
+	uniform HemisphereLight hemisphereLights[ NUM_HEMI_LIGHTS ];
+	vec3 getHemisphereLightIrradiance( const in HemisphereLight hemiLight, const in vec3 normal ) {
+		float dotNL = dot( normal, hemiLight.direction );
+		float hemiDiffuseWeight = 0.5 * dotNL + 0.5;
+		vec3 irradiance = mix( hemiLight.groundColor, hemiLight.skyColor, hemiDiffuseWeight );
+		return irradiance;
+	}
+#endif
+#include <lightprobes_pars_fragment>`,gg=`#ifdef USE_ENVMAP
+	vec3 getIBLIrradiance( const in vec3 normal ) {
+		#ifdef ENVMAP_TYPE_PMREM
+			vec3 worldNormal = transformNormalByInverseViewMatrix( normal, viewMatrix );
+			vec4 envMapColor = textureLod( envMap, envMapRotation * worldNormal, ENVMAP_MAX_LOD );
+			return PI * envMapColor.rgb * envMapIntensity;
+		#else
+			return vec3( 0.0 );
+		#endif
+	}
+	vec3 getIBLRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness ) {
+		#ifdef ENVMAP_TYPE_PMREM
+			vec3 reflectVec = reflect( - viewDir, normal );
+			reflectVec = normalize( mix( reflectVec, normal, pow4( roughness ) ) );
+			reflectVec = transformDirectionByInverseViewMatrix( reflectVec, viewMatrix );
+			vec4 envMapColor = textureLod( envMap, envMapRotation * reflectVec, roughnessToMip( roughness ) );
+			return envMapColor.rgb * envMapIntensity;
+		#else
+			return vec3( 0.0 );
+		#endif
+	}
+	#ifdef USE_RETROREFLECTION
+		vec3 getIBLRetroRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness ) {
+			#ifdef ENVMAP_TYPE_PMREM
+				vec3 retroVec = normalize( mix( viewDir, normal, pow4( roughness ) ) );
+				retroVec = transformDirectionByInverseViewMatrix( retroVec, viewMatrix );
+				vec4 envMapColor = textureLod( envMap, envMapRotation * retroVec, roughnessToMip( roughness ) );
+				return envMapColor.rgb * envMapIntensity;
+			#else
+				return vec3( 0.0 );
+			#endif
+		}
+	#endif
+	#ifdef USE_ANISOTROPY
+		vec3 getIBLAnisotropyRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness, const in vec3 bitangent, const in float anisotropy ) {
+			#ifdef ENVMAP_TYPE_PMREM
+				vec3 bentNormal = cross( bitangent, viewDir );
+				bentNormal = normalize( cross( bentNormal, bitangent ) );
+				bentNormal = normalize( mix( bentNormal, normal, pow2( pow2( 1.0 - anisotropy * ( 1.0 - roughness ) ) ) ) );
+				return getIBLRadiance( viewDir, bentNormal, roughness );
+			#else
+				return vec3( 0.0 );
+			#endif
+		}
+		#ifdef USE_RETROREFLECTION
+			vec3 getIBLAnisotropyRetroRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness, const in vec3 bitangent, const in float anisotropy ) {
+				#ifdef ENVMAP_TYPE_PMREM
+					vec3 bentNormal = cross( bitangent, viewDir );
+					bentNormal = normalize( cross( bentNormal, bitangent ) );
+					bentNormal = normalize( mix( bentNormal, normal, pow2( pow2( 1.0 - anisotropy * ( 1.0 - roughness ) ) ) ) );
+					return getIBLRetroRadiance( viewDir, bentNormal, roughness );
+				#else
+					return vec3( 0.0 );
+				#endif
+			}
+		#endif
+	#endif
+#endif`,xg=`ToonMaterial material;
+material.diffuseColor = diffuseColor.rgb;`,yg=`varying vec3 vViewPosition;
+struct ToonMaterial {
+	vec3 diffuseColor;
+};
+void RE_Direct_Toon( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in ToonMaterial material, inout ReflectedLight reflectedLight ) {
+	vec3 irradiance = getGradientIrradiance( geometryNormal, directLight.direction ) * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+void RE_IndirectDiffuse_Toon( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in ToonMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_Toon
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Toon`,vg=`BlinnPhongMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.specularColor = specular;
+material.specularShininess = shininess;
+material.specularStrength = specularStrength;`,_g=`varying vec3 vViewPosition;
+struct BlinnPhongMaterial {
+	vec3 diffuseColor;
+	vec3 specularColor;
+	float specularShininess;
+	float specularStrength;
+};
+void RE_Direct_BlinnPhong( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in BlinnPhongMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+	reflectedLight.directSpecular += irradiance * BRDF_BlinnPhong( directLight.direction, geometryViewDir, geometryNormal, material.specularColor, material.specularShininess ) * material.specularStrength;
+}
+void RE_IndirectDiffuse_BlinnPhong( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in BlinnPhongMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_BlinnPhong
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_BlinnPhong`,bg=`PhysicalMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.diffuseContribution = diffuseColor.rgb * ( 1.0 - metalnessFactor );
+material.metalness = metalnessFactor;
+vec3 dxy = max( abs( dFdx( nonPerturbedNormal ) ), abs( dFdy( nonPerturbedNormal ) ) );
+float geometryRoughness = max( max( dxy.x, dxy.y ), dxy.z );
+material.roughness = max( roughnessFactor, 0.045 );
+material.roughness += geometryRoughness;
+material.roughness = min( material.roughness, 1.0 );
+#ifdef USE_DIFFUSE_ROUGHNESS
+	float diffuseRoughnessFactor = diffuseRoughness;
+	#ifdef USE_DIFFUSE_ROUGHNESSMAP
+		diffuseRoughnessFactor *= texture2D( diffuseRoughnessMap, vDiffuseRoughnessMapUv ).r;
+	#endif
+	material.diffuseRoughness = saturate( diffuseRoughnessFactor );
+#endif
+#ifdef IOR
+	material.ior = ior;
+	#ifdef USE_SPECULAR
+		float specularIntensityFactor = specularIntensity;
+		vec3 specularColorFactor = specularColor;
+		#ifdef USE_SPECULAR_COLORMAP
+			specularColorFactor *= texture2D( specularColorMap, vSpecularColorMapUv ).rgb;
+		#endif
+		#ifdef USE_SPECULAR_INTENSITYMAP
+			specularIntensityFactor *= texture2D( specularIntensityMap, vSpecularIntensityMapUv ).a;
+		#endif
+		material.specularF90 = mix( specularIntensityFactor, 1.0, metalnessFactor );
+	#else
+		float specularIntensityFactor = 1.0;
+		vec3 specularColorFactor = vec3( 1.0 );
+		material.specularF90 = 1.0;
+	#endif
+	material.specularColor = min( pow2( ( material.ior - 1.0 ) / ( material.ior + 1.0 ) ) * specularColorFactor, vec3( 1.0 ) ) * specularIntensityFactor;
+	material.specularColorBlended = mix( material.specularColor, diffuseColor.rgb, metalnessFactor );
+#else
+	material.specularColor = vec3( 0.04 );
+	material.specularColorBlended = mix( material.specularColor, diffuseColor.rgb, metalnessFactor );
+	material.specularF90 = 1.0;
+#endif
+#ifdef USE_CLEARCOAT
+	material.clearcoat = clearcoat;
+	material.clearcoatRoughness = clearcoatRoughness;
+	material.clearcoatF0 = vec3( 0.04 );
+	material.clearcoatF90 = 1.0;
+	#ifdef USE_CLEARCOATMAP
+		material.clearcoat *= texture2D( clearcoatMap, vClearcoatMapUv ).x;
+	#endif
+	#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+		material.clearcoatRoughness *= texture2D( clearcoatRoughnessMap, vClearcoatRoughnessMapUv ).y;
+	#endif
+	material.clearcoat = saturate( material.clearcoat );	material.clearcoatRoughness = max( material.clearcoatRoughness, 0.045 );
+	material.clearcoatRoughness += geometryRoughness;
+	material.clearcoatRoughness = min( material.clearcoatRoughness, 1.0 );
+#endif
+#ifdef USE_DISPERSION
+	material.dispersion = dispersion;
+#endif
+#ifdef USE_RETROREFLECTION
+	material.retroreflectivity = retroreflectivity;
+#endif
+#ifdef USE_IRIDESCENCE
+	material.iridescence = iridescence;
+	material.iridescenceIOR = iridescenceIOR;
+	#ifdef USE_IRIDESCENCEMAP
+		material.iridescence *= texture2D( iridescenceMap, vIridescenceMapUv ).r;
+	#endif
+	#ifdef USE_IRIDESCENCE_THICKNESSMAP
+		material.iridescenceThickness = (iridescenceThicknessMaximum - iridescenceThicknessMinimum) * texture2D( iridescenceThicknessMap, vIridescenceThicknessMapUv ).g + iridescenceThicknessMinimum;
+	#else
+		material.iridescenceThickness = iridescenceThicknessMaximum;
+	#endif
+#endif
+#ifdef USE_SHEEN
+	material.sheenColor = sheenColor;
+	#ifdef USE_SHEEN_COLORMAP
+		material.sheenColor *= texture2D( sheenColorMap, vSheenColorMapUv ).rgb;
+	#endif
+	material.sheenRoughness = clamp( sheenRoughness, 0.0001, 1.0 );
+	#ifdef USE_SHEEN_ROUGHNESSMAP
+		material.sheenRoughness *= texture2D( sheenRoughnessMap, vSheenRoughnessMapUv ).a;
+	#endif
+#endif
+#ifdef USE_ANISOTROPY
+	#ifdef USE_ANISOTROPYMAP
+		mat2 anisotropyMat = mat2( anisotropyVector.x, anisotropyVector.y, - anisotropyVector.y, anisotropyVector.x );
+		vec3 anisotropyPolar = texture2D( anisotropyMap, vAnisotropyMapUv ).rgb;
+		vec2 anisotropyV = anisotropyMat * normalize( 2.0 * anisotropyPolar.rg - vec2( 1.0 ) ) * anisotropyPolar.b;
+	#else
+		vec2 anisotropyV = anisotropyVector;
+	#endif
+	material.anisotropy = length( anisotropyV );
+	if( material.anisotropy == 0.0 ) {
+		anisotropyV = vec2( 1.0, 0.0 );
+	} else {
+		anisotropyV /= material.anisotropy;
+		material.anisotropy = saturate( material.anisotropy );
+	}
+	material.alphaT = mix( pow2( material.roughness ), 1.0, pow2( material.anisotropy ) );
+	material.anisotropyT = tbn[ 0 ] * anisotropyV.x + tbn[ 1 ] * anisotropyV.y;
+	material.anisotropyB = tbn[ 1 ] * anisotropyV.x - tbn[ 0 ] * anisotropyV.y;
+#endif`,Sg=`uniform sampler2D dfgLUT;
+struct PhysicalMaterial {
+	vec3 diffuseColor;
+	vec3 diffuseContribution;
+	vec3 specularColor;
+	vec3 specularColorBlended;
+	float roughness;
+	float metalness;
+	float specularF90;
+	float dispersion;
+	vec2 dfg;
+	vec3 multiScatteringCompensation;
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		float diffuseRoughness;
+	#endif
+	#ifdef USE_RETROREFLECTION
+		float retroreflectivity;
+	#endif
+	#ifdef USE_CLEARCOAT
+		float clearcoat;
+		float clearcoatRoughness;
+		vec3 clearcoatF0;
+		float clearcoatF90;
+	#endif
+	#ifdef USE_IRIDESCENCE
+		float iridescence;
+		float iridescenceIOR;
+		float iridescenceThickness;
+		vec3 iridescenceFresnel;
+		vec3 iridescenceF0Dielectric;
+		vec3 iridescenceF0Metallic;
+	#endif
+	#ifdef USE_SHEEN
+		vec3 sheenColor;
+		float sheenRoughness;
+	#endif
+	#ifdef IOR
+		float ior;
+	#endif
+	#ifdef USE_TRANSMISSION
+		float transmission;
+		float transmissionAlpha;
+		float thickness;
+		float attenuationDistance;
+		vec3 attenuationColor;
+	#endif
+	#ifdef USE_ANISOTROPY
+		float anisotropy;
+		float alphaT;
+		vec3 anisotropyT;
+		vec3 anisotropyB;
+	#endif
+};
+vec3 clearcoatSpecularDirect = vec3( 0.0 );
+vec3 clearcoatSpecularIndirect = vec3( 0.0 );
+vec3 sheenSpecularDirect = vec3( 0.0 );
+vec3 sheenSpecularIndirect = vec3(0.0 );
+vec3 Schlick_to_F0( const in vec3 f, const in float f90, const in float dotVH ) {
+    float x = clamp( 1.0 - dotVH, 0.0, 1.0 );
+    float x2 = x * x;
+    float x5 = clamp( x * x2 * x2, 0.0, 0.9999 );
+    return ( f - vec3( f90 ) * x5 ) / ( 1.0 - x5 );
+}
+#ifdef USE_DIFFUSE_ROUGHNESS
+	const float EON_EPSILON = 1e-7;
+	float FON_DirectionalAlbedo( const in float mu, const in float roughness, const in float A ) {
+		float muComp = 1.0 - mu;
+		float gOverPi = muComp * ( 0.0571085289 + muComp * ( 0.491881867 + muComp * ( - 0.332181442 + muComp * 0.0714429953 ) ) );
+		return A * ( 1.0 + roughness * gOverPi );
+	}
+	vec3 BRDF_EON( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in vec3 diffuseColor, const in float roughness ) {
+		vec3 rho = saturate( diffuseColor );
+		if ( roughness <= EON_EPSILON ) return BRDF_Lambert( rho );
+		float dotNL = saturate( dot( normal, lightDir ) );
+		float dotNV = saturate( dot( normal, viewDir ) );
+		float s = dot( lightDir, viewDir ) - dotNL * dotNV;
+		float sOverT = ( s > 0.0 ) ? s / max( max( dotNL, dotNV ), EON_EPSILON ) : s;
+		float A = 1.0 / ( 1.0 + ( 0.5 - 2.0 / ( 3.0 * PI ) ) * roughness );
+		vec3 singleScatter = rho * RECIPROCAL_PI * A * ( 1.0 + roughness * sOverT );
+		float averageAlbedo = A * ( 1.0 + ( 2.0 / 3.0 - 28.0 / ( 15.0 * PI ) ) * roughness );
+		float albedoV = FON_DirectionalAlbedo( dotNV, roughness, A );
+		float albedoL = FON_DirectionalAlbedo( dotNL, roughness, A );
+		vec3 rhoMultiScatter = rho * rho * averageAlbedo / max( vec3( EON_EPSILON ), vec3( 1.0 ) - rho * ( 1.0 - averageAlbedo ) );
+		vec3 multiScatter = rhoMultiScatter * RECIPROCAL_PI
+			* max( EON_EPSILON, 1.0 - albedoV )
+			* max( EON_EPSILON, 1.0 - albedoL )
+			/ max( EON_EPSILON, 1.0 - averageAlbedo );
+		return singleScatter + multiScatter;
+	}
+	vec3 EON_DirectionalAlbedo( const in vec3 diffuseColor, const in float roughness, const in float dotNV ) {
+		vec3 rho = saturate( diffuseColor );
+		if ( roughness <= EON_EPSILON ) return rho;
+		float A = 1.0 / ( 1.0 + ( 0.5 - 2.0 / ( 3.0 * PI ) ) * roughness );
+		float directionalAlbedo = FON_DirectionalAlbedo( dotNV, roughness, A );
+		float averageAlbedo = A * ( 1.0 + ( 2.0 / 3.0 - 28.0 / ( 15.0 * PI ) ) * roughness );
+		vec3 rhoMultiScatter = rho * rho * averageAlbedo / max( vec3( EON_EPSILON ), vec3( 1.0 ) - rho * ( 1.0 - averageAlbedo ) );
+		return rho * directionalAlbedo + rhoMultiScatter * ( 1.0 - directionalAlbedo );
+	}
+#endif
+float V_GGX_SmithCorrelated( const in float alpha, const in float dotNL, const in float dotNV ) {
+	float a2 = pow2( alpha );
+	float gv = dotNL * sqrt( a2 + ( 1.0 - a2 ) * pow2( dotNV ) );
+	float gl = dotNV * sqrt( a2 + ( 1.0 - a2 ) * pow2( dotNL ) );
+	return 0.5 / max( gv + gl, EPSILON );
+}
+float D_GGX( const in float alpha, const in float dotNH ) {
+	float a2 = pow2( alpha );
+	float denom = pow2( dotNH ) * ( a2 - 1.0 ) + 1.0;
+	return RECIPROCAL_PI * a2 / pow2( denom );
+}
+#ifdef USE_ANISOTROPY
+	float V_GGX_SmithCorrelated_Anisotropic( const in float alphaT, const in float alphaB, const in float dotTV, const in float dotBV, const in float dotTL, const in float dotBL, const in float dotNV, const in float dotNL ) {
+		float gv = dotNL * length( vec3( alphaT * dotTV, alphaB * dotBV, dotNV ) );
+		float gl = dotNV * length( vec3( alphaT * dotTL, alphaB * dotBL, dotNL ) );
+		return 0.5 / max( gv + gl, EPSILON );
+	}
+	float D_GGX_Anisotropic( const in float alphaT, const in float alphaB, const in float dotNH, const in float dotTH, const in float dotBH ) {
+		float a2 = alphaT * alphaB;
+		highp vec3 v = vec3( alphaB * dotTH, alphaT * dotBH, a2 * dotNH );
+		highp float v2 = dot( v, v );
+		float w2 = a2 / v2;
+		return RECIPROCAL_PI * a2 * pow2 ( w2 );
+	}
+#endif
+#ifdef USE_CLEARCOAT
+	vec3 BRDF_GGX_Clearcoat( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in PhysicalMaterial material) {
+		vec3 f0 = material.clearcoatF0;
+		float f90 = material.clearcoatF90;
+		float roughness = max( material.clearcoatRoughness, 0.045 );
+		float alpha = pow2( roughness );
+		vec3 halfDir = normalize( lightDir + viewDir );
+		float dotNL = saturate( dot( normal, lightDir ) );
+		float dotNV = saturate( dot( normal, viewDir ) );
+		float dotNH = saturate( dot( normal, halfDir ) );
+		float dotVH = saturate( dot( viewDir, halfDir ) );
+		vec3 F = F_Schlick( f0, f90, dotVH );
+		float V = V_GGX_SmithCorrelated( alpha, dotNL, dotNV );
+		float D = D_GGX( alpha, dotNH );
+		return F * ( V * D );
+	}
+#endif
+vec3 BRDF_GGX( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in PhysicalMaterial material ) {
+	vec3 f0 = material.specularColorBlended;
+	float f90 = material.specularF90;
+	float roughness = max( material.roughness, 0.045 );
+	float alpha = pow2( roughness );
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNL = saturate( dot( normal, lightDir ) );
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float dotVH = saturate( dot( viewDir, halfDir ) );
+	vec3 F = F_Schlick( f0, f90, dotVH );
+	#ifdef USE_IRIDESCENCE
+		F = mix( F, material.iridescenceFresnel, material.iridescence );
+	#endif
+	#ifdef USE_ANISOTROPY
+		float dotTL = dot( material.anisotropyT, lightDir );
+		float dotTV = dot( material.anisotropyT, viewDir );
+		float dotTH = dot( material.anisotropyT, halfDir );
+		float dotBL = dot( material.anisotropyB, lightDir );
+		float dotBV = dot( material.anisotropyB, viewDir );
+		float dotBH = dot( material.anisotropyB, halfDir );
+		float alphaT = max( material.alphaT, alpha );
+		float V = V_GGX_SmithCorrelated_Anisotropic( alphaT, alpha, dotTV, dotBV, dotTL, dotBL, dotNV, dotNL );
+		float D = D_GGX_Anisotropic( alphaT, alpha, dotNH, dotTH, dotBH );
+	#else
+		float V = V_GGX_SmithCorrelated( alpha, dotNL, dotNV );
+		float D = D_GGX( alpha, dotNH );
+	#endif
+	return F * ( V * D );
+}
+vec2 LTC_Uv( const in vec3 N, const in vec3 V, const in float roughness ) {
+	const float LUT_SIZE = 64.0;
+	const float LUT_SCALE = ( LUT_SIZE - 1.0 ) / LUT_SIZE;
+	const float LUT_BIAS = 0.5 / LUT_SIZE;
+	float dotNV = saturate( dot( N, V ) );
+	vec2 uv = vec2( roughness, sqrt( 1.0 - dotNV ) );
+	uv = uv * LUT_SCALE + LUT_BIAS;
+	return uv;
+}
+float LTC_ClippedSphereFormFactor( const in vec3 f ) {
+	float l = length( f );
+	return max( ( l * l + f.z ) / ( l + 1.0 ), 0.0 );
+}
+vec3 LTC_EdgeVectorFormFactor( const in vec3 v1, const in vec3 v2 ) {
+	float x = dot( v1, v2 );
+	float y = abs( x );
+	float a = 0.8543985 + ( 0.4965155 + 0.0145206 * y ) * y;
+	float b = 3.4175940 + ( 4.1616724 + y ) * y;
+	float v = a / b;
+	float theta_sintheta = ( x > 0.0 ) ? v : 0.5 * inversesqrt( max( 1.0 - x * x, 1e-7 ) ) - v;
+	return cross( v1, v2 ) * theta_sintheta;
+}
+vec3 LTC_Evaluate( const in vec3 N, const in vec3 V, const in vec3 P, const in mat3 mInv, const in vec3 rectCoords[ 4 ] ) {
+	vec3 v1 = rectCoords[ 1 ] - rectCoords[ 0 ];
+	vec3 v2 = rectCoords[ 3 ] - rectCoords[ 0 ];
+	vec3 lightNormal = cross( v1, v2 );
+	if( dot( lightNormal, P - rectCoords[ 0 ] ) < 0.0 ) return vec3( 0.0 );
+	vec3 T1, T2;
+	T1 = normalize( V - N * dot( V, N ) );
+	T2 = - cross( N, T1 );
+	mat3 mat = mInv * transpose( mat3( T1, T2, N ) );
+	vec3 coords[ 4 ];
+	coords[ 0 ] = mat * ( rectCoords[ 0 ] - P );
+	coords[ 1 ] = mat * ( rectCoords[ 1 ] - P );
+	coords[ 2 ] = mat * ( rectCoords[ 2 ] - P );
+	coords[ 3 ] = mat * ( rectCoords[ 3 ] - P );
+	coords[ 0 ] = normalize( coords[ 0 ] );
+	coords[ 1 ] = normalize( coords[ 1 ] );
+	coords[ 2 ] = normalize( coords[ 2 ] );
+	coords[ 3 ] = normalize( coords[ 3 ] );
+	vec3 vectorFormFactor = vec3( 0.0 );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 0 ], coords[ 1 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 1 ], coords[ 2 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 2 ], coords[ 3 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 3 ], coords[ 0 ] );
+	float result = LTC_ClippedSphereFormFactor( vectorFormFactor );
+	return vec3( result );
+}
+#if defined( USE_SHEEN )
+float D_Charlie( float roughness, float dotNH ) {
+	float alpha = pow2( roughness );
+	float invAlpha = 1.0 / alpha;
+	float cos2h = dotNH * dotNH;
+	float sin2h = max( 1.0 - cos2h, 0.0078125 );
+	return ( 2.0 + invAlpha ) * pow( sin2h, invAlpha * 0.5 ) / ( 2.0 * PI );
+}
+float V_Neubelt( float dotNV, float dotNL ) {
+	return saturate( 1.0 / ( 4.0 * ( dotNL + dotNV - dotNL * dotNV ) ) );
+}
+vec3 BRDF_Sheen( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, vec3 sheenColor, const in float sheenRoughness ) {
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNL = saturate( dot( normal, lightDir ) );
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float D = D_Charlie( sheenRoughness, dotNH );
+	float V = V_Neubelt( dotNV, dotNL );
+	return sheenColor * ( D * V );
+}
+#endif
+float IBLSheenBRDF( const in vec3 normal, const in vec3 viewDir, const in float roughness ) {
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float r2 = roughness * roughness;
+	float rInv = 1.0 / ( roughness + 0.1 );
+	float a = -1.9362 + 1.0678 * roughness + 0.4573 * r2 - 0.8469 * rInv;
+	float b = -0.6014 + 0.5538 * roughness - 0.4670 * r2 - 0.1255 * rInv;
+	float DG = exp( a * dotNV + b );
+	return saturate( DG );
+}
+vec3 EnvironmentBRDF( const in vec3 normal, const in vec3 viewDir, const in vec3 specularColor, const in float specularF90, const in float roughness ) {
+	float dotNV = saturate( dot( normal, viewDir ) );
+	vec2 fab = texture2D( dfgLUT, vec2( roughness, dotNV ) ).rg;
+	return specularColor * fab.x + specularF90 * fab.y;
+}
+#ifdef USE_IRIDESCENCE
+void computeMultiscatteringIridescence( const in vec2 fab, const in vec3 specularColor, const in float specularF90, const in float iridescence, const in vec3 iridescenceF0, inout vec3 singleScatter, inout vec3 multiScatter ) {
+#else
+void computeMultiscattering( const in vec2 fab, const in vec3 specularColor, const in float specularF90, inout vec3 singleScatter, inout vec3 multiScatter ) {
+#endif
+	#ifdef USE_IRIDESCENCE
+		vec3 Fr = mix( specularColor, iridescenceF0, iridescence );
+	#else
+		vec3 Fr = specularColor;
+	#endif
+	vec3 FssEss = Fr * fab.x + specularF90 * fab.y;
+	float Ess = fab.x + fab.y;
+	float Ems = 1.0 - Ess;
+	vec3 Favg = Fr + ( 1.0 - Fr ) * 0.047619;	vec3 Fms = FssEss * Favg / ( 1.0 - Ems * Favg );
+	singleScatter += FssEss;
+	multiScatter += Fms * Ems;
+}
+#if NUM_RECT_AREA_LIGHTS > 0
+	void RE_Direct_RectArea_Physical( const in RectAreaLight rectAreaLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+		vec3 normal = geometryNormal;
+		vec3 viewDir = geometryViewDir;
+		vec3 position = geometryPosition;
+		vec3 lightPos = rectAreaLight.position;
+		vec3 halfWidth = rectAreaLight.halfWidth;
+		vec3 halfHeight = rectAreaLight.halfHeight;
+		vec3 lightColor = rectAreaLight.color;
+		float roughness = material.roughness;
+		vec3 rectCoords[ 4 ];
+		rectCoords[ 0 ] = lightPos + halfWidth - halfHeight;		rectCoords[ 1 ] = lightPos - halfWidth - halfHeight;
+		rectCoords[ 2 ] = lightPos - halfWidth + halfHeight;
+		rectCoords[ 3 ] = lightPos + halfWidth + halfHeight;
+		vec2 uv = LTC_Uv( normal, viewDir, roughness );
+		vec4 t1 = texture2D( ltc_1, uv );
+		vec4 t2 = texture2D( ltc_2, uv );
+		mat3 mInv = mat3(
+			vec3( t1.x, 0, t1.y ),
+			vec3(    0, 1,    0 ),
+			vec3( t1.z, 0, t1.w )
+		);
+		vec3 fresnel = ( material.specularColorBlended * t2.x + ( material.specularF90 - material.specularColorBlended ) * t2.y );
+		reflectedLight.directSpecular += lightColor * fresnel * LTC_Evaluate( normal, viewDir, position, mInv, rectCoords );
+		reflectedLight.directDiffuse += lightColor * material.diffuseContribution * LTC_Evaluate( normal, viewDir, position, mat3( 1.0 ), rectCoords );
+		#ifdef USE_CLEARCOAT
+			vec3 Ncc = geometryClearcoatNormal;
+			vec2 uvClearcoat = LTC_Uv( Ncc, viewDir, material.clearcoatRoughness );
+			vec4 t1Clearcoat = texture2D( ltc_1, uvClearcoat );
+			vec4 t2Clearcoat = texture2D( ltc_2, uvClearcoat );
+			mat3 mInvClearcoat = mat3(
+				vec3( t1Clearcoat.x, 0, t1Clearcoat.y ),
+				vec3(             0, 1,             0 ),
+				vec3( t1Clearcoat.z, 0, t1Clearcoat.w )
+			);
+			vec3 fresnelClearcoat = material.clearcoatF0 * t2Clearcoat.x + ( material.clearcoatF90 - material.clearcoatF0 ) * t2Clearcoat.y;
+			clearcoatSpecularDirect += lightColor * fresnelClearcoat * LTC_Evaluate( Ncc, viewDir, position, mInvClearcoat, rectCoords );
+		#endif
+	}
+#endif
+void RE_Direct_Physical( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	#ifdef USE_CLEARCOAT
+		float dotNLcc = saturate( dot( geometryClearcoatNormal, directLight.direction ) );
+		vec3 ccIrradiance = dotNLcc * directLight.color;
+		clearcoatSpecularDirect += ccIrradiance * BRDF_GGX_Clearcoat( directLight.direction, geometryViewDir, geometryClearcoatNormal, material );
+	#endif
+	#ifdef USE_SHEEN
+ 
+ 		sheenSpecularDirect += irradiance * BRDF_Sheen( directLight.direction, geometryViewDir, geometryNormal, material.sheenColor, material.sheenRoughness );
+ 
+ 		float sheenAlbedoV = IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness );
+ 		float sheenAlbedoL = IBLSheenBRDF( geometryNormal, directLight.direction, material.sheenRoughness );
+ 
+ 		float sheenEnergyComp = 1.0 - max3( material.sheenColor ) * max( sheenAlbedoV, sheenAlbedoL );
+ 
+ 		irradiance *= sheenEnergyComp;
+ 
+ 	#endif
+	vec3 specularBRDF = BRDF_GGX( directLight.direction, geometryViewDir, geometryNormal, material );
+	#ifdef USE_RETROREFLECTION
+		vec3 retroViewDir = reflect( - geometryViewDir, geometryNormal );
+		vec3 retroSpecularBRDF = BRDF_GGX( directLight.direction, retroViewDir, geometryNormal, material );
+		specularBRDF = mix( specularBRDF, retroSpecularBRDF, saturate( material.retroreflectivity ) );
+	#endif
+	reflectedLight.directSpecular += irradiance * specularBRDF * material.multiScatteringCompensation;
+	vec3 halfDir = normalize( directLight.direction + geometryViewDir );
+	float dotVH = saturate( dot( geometryViewDir, halfDir ) );
+	vec3 F = F_Schlick( material.specularColor, material.specularF90, dotVH );
+	#ifdef USE_RETROREFLECTION
+		vec3 retroHalfDir = normalize( directLight.direction + retroViewDir );
+		float dotRetroVH = saturate( dot( retroViewDir, retroHalfDir ) );
+		vec3 retroF = F_Schlick( material.specularColor, material.specularF90, dotRetroVH );
+		F = mix( F, retroF, saturate( material.retroreflectivity ) );
+	#endif
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		vec3 diffuseBRDF = BRDF_EON( directLight.direction, geometryViewDir, geometryNormal, material.diffuseColor, material.diffuseRoughness ) * ( 1.0 - material.metalness );
+	#else
+		vec3 diffuseBRDF = BRDF_Lambert( material.diffuseContribution );
+	#endif
+	reflectedLight.directDiffuse += irradiance * diffuseBRDF * ( 1.0 - F );
+}
+void RE_IndirectDiffuse_Physical( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+	vec3 singleScattering = vec3( 0.0 );
+	vec3 multiScattering = vec3( 0.0 );
+	#ifdef USE_IRIDESCENCE
+		computeMultiscatteringIridescence( material.dfg, material.specularColor, material.specularF90, material.iridescence, material.iridescenceF0Dielectric, singleScattering, multiScattering );
+	#else
+		computeMultiscattering( material.dfg, material.specularColor, material.specularF90, singleScattering, multiScattering );
+	#endif
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		float dotNV = saturate( dot( geometryNormal, geometryViewDir ) );
+		vec3 diffuseAlbedo = EON_DirectionalAlbedo( material.diffuseColor, material.diffuseRoughness, dotNV ) * ( 1.0 - material.metalness );
+		vec3 diffuse = irradiance * RECIPROCAL_PI * diffuseAlbedo * ( 1.0 - singleScattering - multiScattering );
+	#else
+		vec3 diffuse = irradiance * BRDF_Lambert( material.diffuseContribution ) * ( 1.0 - singleScattering - multiScattering );
+	#endif
+	#ifdef USE_SHEEN
+		float sheenAlbedo = IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness );
+		sheenSpecularIndirect += irradiance * material.sheenColor * sheenAlbedo * RECIPROCAL_PI;
+		float sheenEnergyComp = 1.0 - max3( material.sheenColor ) * sheenAlbedo;
+		diffuse *= sheenEnergyComp;
+	#endif
+	reflectedLight.indirectDiffuse += diffuse;
+}
+void RE_IndirectSpecular_Physical( const in vec3 radiance, const in vec3 irradiance, const in vec3 clearcoatRadiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight) {
+	#ifdef USE_CLEARCOAT
+		clearcoatSpecularIndirect += clearcoatRadiance * EnvironmentBRDF( geometryClearcoatNormal, geometryViewDir, material.clearcoatF0, material.clearcoatF90, material.clearcoatRoughness );
+	#endif
+	#ifdef USE_SHEEN
+		sheenSpecularIndirect += irradiance * material.sheenColor * IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness ) * RECIPROCAL_PI;
+ 	#endif
+	vec3 singleScatteringDielectric = vec3( 0.0 );
+	vec3 multiScatteringDielectric = vec3( 0.0 );
+	vec3 singleScatteringMetallic = vec3( 0.0 );
+	vec3 multiScatteringMetallic = vec3( 0.0 );
+	#ifdef USE_IRIDESCENCE
+		computeMultiscatteringIridescence( material.dfg, material.specularColor, material.specularF90, material.iridescence, material.iridescenceF0Dielectric, singleScatteringDielectric, multiScatteringDielectric );
+		computeMultiscatteringIridescence( material.dfg, material.diffuseColor, material.specularF90, material.iridescence, material.iridescenceF0Metallic, singleScatteringMetallic, multiScatteringMetallic );
+	#else
+		computeMultiscattering( material.dfg, material.specularColor, material.specularF90, singleScatteringDielectric, multiScatteringDielectric );
+		computeMultiscattering( material.dfg, material.diffuseColor, material.specularF90, singleScatteringMetallic, multiScatteringMetallic );
+	#endif
+	vec3 singleScattering = mix( singleScatteringDielectric, singleScatteringMetallic, material.metalness );
+	vec3 multiScattering = mix( multiScatteringDielectric, multiScatteringMetallic, material.metalness );
+	vec3 totalScatteringDielectric = singleScatteringDielectric + multiScatteringDielectric;
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		float dotNV = saturate( dot( geometryNormal, geometryViewDir ) );
+		vec3 diffuse = EON_DirectionalAlbedo( material.diffuseColor, material.diffuseRoughness, dotNV ) * ( 1.0 - material.metalness ) * ( 1.0 - totalScatteringDielectric );
+	#else
+		vec3 diffuse = material.diffuseContribution * ( 1.0 - totalScatteringDielectric );
+	#endif
+	vec3 cosineWeightedIrradiance = irradiance * RECIPROCAL_PI;
+	vec3 indirectSpecular = radiance * singleScattering;
+	indirectSpecular += multiScattering * cosineWeightedIrradiance;
+	vec3 indirectDiffuse = diffuse * cosineWeightedIrradiance;
+	#ifdef USE_SHEEN
+		float sheenAlbedo = IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness );
+		float sheenEnergyComp = 1.0 - max3( material.sheenColor ) * sheenAlbedo;
+		indirectSpecular *= sheenEnergyComp;
+		indirectDiffuse *= sheenEnergyComp;
+	#endif
+	reflectedLight.indirectSpecular += indirectSpecular;
+	reflectedLight.indirectDiffuse += indirectDiffuse;
+}
+#define RE_Direct				RE_Direct_Physical
+#define RE_Direct_RectArea		RE_Direct_RectArea_Physical
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Physical
+#define RE_IndirectSpecular		RE_IndirectSpecular_Physical
+float computeSpecularOcclusion( const in float dotNV, const in float ambientOcclusion, const in float roughness ) {
+	return saturate( pow( dotNV + ambientOcclusion, exp2( - 16.0 * roughness - 1.0 ) ) - 1.0 + ambientOcclusion );
+}`,Mg=`
+vec3 geometryPosition = - vViewPosition;
+vec3 geometryNormal = normal;
+vec3 geometryViewDir = ( isOrthographic ) ? vec3( 0, 0, 1 ) : normalize( vViewPosition );
+vec3 geometryClearcoatNormal = vec3( 0.0 );
+#ifdef USE_CLEARCOAT
+	geometryClearcoatNormal = clearcoatNormal;
+#endif
+#ifdef USE_IRIDESCENCE
+	float dotNVi = saturate( dot( normal, geometryViewDir ) );
+	if ( material.iridescenceThickness == 0.0 ) {
+		material.iridescence = 0.0;
+	} else {
+		material.iridescence = saturate( material.iridescence );
+	}
+	if ( material.iridescence > 0.0 ) {
+		vec3 iridescenceFresnelDielectric = evalIridescence( 1.0, material.iridescenceIOR, dotNVi, material.iridescenceThickness, material.specularColor );
+		vec3 iridescenceFresnelMetallic = evalIridescence( 1.0, material.iridescenceIOR, dotNVi, material.iridescenceThickness, material.diffuseColor );
+		material.iridescenceFresnel = mix( iridescenceFresnelDielectric, iridescenceFresnelMetallic, material.metalness );
+		material.iridescenceF0Dielectric = Schlick_to_F0( iridescenceFresnelDielectric, 1.0, dotNVi );
+		material.iridescenceF0Metallic = Schlick_to_F0( iridescenceFresnelMetallic, 1.0, dotNVi );
+	}
+#endif
+#ifdef STANDARD
+	float dotNVms = saturate( dot( geometryNormal, geometryViewDir ) );
+	material.dfg = texture2D( dfgLUT, vec2( material.roughness, dotNVms ) ).rg;
+	#if ( NUM_SUN_LIGHTS > 0 || NUM_DIR_LIGHTS > 0 || NUM_POINT_LIGHTS > 0 || NUM_SPOT_LIGHTS > 0 )
+		float EssMs = material.dfg.x + material.dfg.y;
+		material.multiScatteringCompensation = 1.0 + material.specularColorBlended * ( 1.0 / EssMs - 1.0 );
+	#endif
+#endif
+IncidentLight directLight;
+#if ( NUM_POINT_LIGHTS > 0 ) && defined( RE_Direct )
+	PointLight pointLight;
+	#if defined( USE_SHADOWMAP ) && NUM_POINT_LIGHT_SHADOWS > 0
+	PointLightShadow pointLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_POINT_LIGHTS; i ++ ) {
+		pointLight = pointLights[ i ];
+		getPointLightInfo( pointLight, geometryPosition, directLight );
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_POINT_LIGHT_SHADOWS ) && ( defined( SHADOWMAP_TYPE_PCF ) || defined( SHADOWMAP_TYPE_BASIC ) )
+		pointLightShadow = pointLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getPointShadow( pointShadowMap[ i ], pointLightShadow.shadowMapSize, pointLightShadow.shadowIntensity, pointLightShadow.shadowBias, pointLightShadow.shadowRadius, vPointShadowCoord[ i ], pointLightShadow.shadowCameraNear, pointLightShadow.shadowCameraFar ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_SPOT_LIGHTS > 0 ) && defined( RE_Direct )
+	SpotLight spotLight;
+	vec4 spotColor;
+	vec3 spotLightCoord;
+	bool inSpotLightMap;
+	#if defined( USE_SHADOWMAP ) && NUM_SPOT_LIGHT_SHADOWS > 0
+	SpotLightShadow spotLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHTS; i ++ ) {
+		spotLight = spotLights[ i ];
+		getSpotLightInfo( spotLight, geometryPosition, directLight );
+		#if ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS )
+		#define SPOT_LIGHT_MAP_INDEX UNROLLED_LOOP_INDEX
+		#elif ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+		#define SPOT_LIGHT_MAP_INDEX NUM_SPOT_LIGHT_MAPS
+		#else
+		#define SPOT_LIGHT_MAP_INDEX ( UNROLLED_LOOP_INDEX - NUM_SPOT_LIGHT_SHADOWS + NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS )
+		#endif
+		#if ( SPOT_LIGHT_MAP_INDEX < NUM_SPOT_LIGHT_MAPS )
+			spotLightCoord = vSpotLightCoord[ i ].xyz / vSpotLightCoord[ i ].w;
+			inSpotLightMap = all( lessThan( abs( spotLightCoord * 2. - 1. ), vec3( 1.0 ) ) );
+			spotColor = texture2D( spotLightMap[ SPOT_LIGHT_MAP_INDEX ], spotLightCoord.xy );
+			directLight.color = inSpotLightMap ? directLight.color * spotColor.rgb : directLight.color;
+		#endif
+		#undef SPOT_LIGHT_MAP_INDEX
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+		spotLightShadow = spotLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getShadow( spotShadowMap[ i ], spotLightShadow.shadowMapSize, spotLightShadow.shadowIntensity, spotLightShadow.shadowBias, spotLightShadow.shadowRadius, vSpotLightCoord[ i ] ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_SUN_LIGHTS > 0 ) && defined( RE_Direct )
+	SunLight sunLight;
+	#if defined( USE_SHADOWMAP ) && NUM_SUN_LIGHT_SHADOWS > 0
+	SunLightShadow sunLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SUN_LIGHTS; i ++ ) {
+		sunLight = sunLights[ i ];
+		getSunLightInfo( sunLight, directLight );
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_SUN_LIGHT_SHADOWS )
+		sunLightShadow = sunLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getSunShadow( sunShadowMap[ i ], sunLightShadow, UNROLLED_LOOP_INDEX ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_DIR_LIGHTS > 0 ) && defined( RE_Direct )
+	DirectionalLight directionalLight;
+	#if defined( USE_SHADOWMAP ) && NUM_DIR_LIGHT_SHADOWS > 0
+	DirectionalLightShadow directionalLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_DIR_LIGHTS; i ++ ) {
+		directionalLight = directionalLights[ i ];
+		getDirectionalLightInfo( directionalLight, directLight );
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_DIR_LIGHT_SHADOWS )
+		directionalLightShadow = directionalLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getShadow( directionalShadowMap[ i ], directionalLightShadow.shadowMapSize, directionalLightShadow.shadowIntensity, directionalLightShadow.shadowBias, directionalLightShadow.shadowRadius, vDirectionalShadowCoord[ i ] ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_RECT_AREA_LIGHTS > 0 ) && defined( RE_Direct_RectArea )
+	RectAreaLight rectAreaLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_RECT_AREA_LIGHTS; i ++ ) {
+		rectAreaLight = rectAreaLights[ i ];
+		RE_Direct_RectArea( rectAreaLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if defined( RE_IndirectDiffuse )
+	vec3 iblIrradiance = vec3( 0.0 );
+	vec3 irradiance = getAmbientLightIrradiance( ambientLightColor );
+	#if defined( USE_LIGHT_PROBES )
+		irradiance += getLightProbeIrradiance( lightProbe, geometryNormal );
+	#endif
+	#if ( NUM_HEMI_LIGHTS > 0 )
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_HEMI_LIGHTS; i ++ ) {
+			irradiance += getHemisphereLightIrradiance( hemisphereLights[ i ], geometryNormal );
+		}
+		#pragma unroll_loop_end
+	#endif
+	#if NUM_LIGHT_PROBE_GRIDS > 0
+		vec3 probeWorldPos = ( ( vec4( geometryPosition, 1.0 ) - viewMatrix[ 3 ] ) * viewMatrix ).xyz;
+		vec3 probeWorldNormal = transformNormalByInverseViewMatrix( geometryNormal, viewMatrix );
+		int probeGrid = - 1;
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_LIGHT_PROBE_GRIDS; i ++ ) {
+			if ( isInsideLightProbeGrid( probeWorldPos, probeWorldNormal, probesMin[ i ], probesMax[ i ], probesResolution[ i ] ) ) probeGrid = UNROLLED_LOOP_INDEX;
+		}
+		#pragma unroll_loop_end
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_LIGHT_PROBE_GRIDS; i ++ ) {
+			if ( probeGrid == UNROLLED_LOOP_INDEX ) irradiance += getLightProbeGridIrradiance( probesSH[ i ], probesMin[ i ], probesMax[ i ], probesResolution[ i ], probeWorldPos, probeWorldNormal );
+		}
+		#pragma unroll_loop_end
+	#endif
+#endif
+#if defined( RE_IndirectSpecular )
+	vec3 radiance = vec3( 0.0 );
+	vec3 clearcoatRadiance = vec3( 0.0 );
+#endif`,wg=`#if defined( RE_IndirectDiffuse )
+	#ifdef USE_LIGHTMAP
+		vec4 lightMapTexel = texture2D( lightMap, vLightMapUv );
+		vec3 lightMapIrradiance = lightMapTexel.rgb * lightMapIntensity;
+		irradiance += lightMapIrradiance;
+	#endif
+	#if defined( USE_ENVMAP ) && defined( ENVMAP_TYPE_PMREM )
+		#if defined( STANDARD ) || defined( LAMBERT ) || defined( PHONG )
+			iblIrradiance += getIBLIrradiance( geometryNormal );
+		#endif
+	#endif
+#endif
+#if defined( USE_ENVMAP ) && defined( RE_IndirectSpecular )
+	#ifdef USE_ANISOTROPY
+		vec3 iblRadiance = getIBLAnisotropyRadiance( geometryViewDir, geometryNormal, material.roughness, material.anisotropyB, material.anisotropy );
+	#else
+		vec3 iblRadiance = getIBLRadiance( geometryViewDir, geometryNormal, material.roughness );
+	#endif
+	#ifdef USE_RETROREFLECTION
+		#ifdef USE_ANISOTROPY
+			vec3 retroIBLRadiance = getIBLAnisotropyRetroRadiance( geometryViewDir, geometryNormal, material.roughness, material.anisotropyB, material.anisotropy );
+		#else
+			vec3 retroIBLRadiance = getIBLRetroRadiance( geometryViewDir, geometryNormal, material.roughness );
+		#endif
+		iblRadiance = mix( iblRadiance, retroIBLRadiance, saturate( material.retroreflectivity ) );
+	#endif
+	radiance += iblRadiance;
+	#ifdef USE_CLEARCOAT
+		clearcoatRadiance += getIBLRadiance( geometryViewDir, geometryClearcoatNormal, material.clearcoatRoughness );
+	#endif
+#endif`,Ag=`#if defined( RE_IndirectDiffuse )
+	#if defined( LAMBERT ) || defined( PHONG )
+		irradiance += iblIrradiance;
+	#endif
+	RE_IndirectDiffuse( irradiance, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+#endif
+#if defined( RE_IndirectSpecular )
+	RE_IndirectSpecular( radiance, iblIrradiance, clearcoatRadiance, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+#endif`,Tg=`#if NUM_LIGHT_PROBE_GRIDS > 0
+uniform highp sampler3D probesSH[ NUM_LIGHT_PROBE_GRIDS ];
+uniform vec3 probesMin[ NUM_LIGHT_PROBE_GRIDS ];
+uniform vec3 probesMax[ NUM_LIGHT_PROBE_GRIDS ];
+uniform vec3 probesResolution[ NUM_LIGHT_PROBE_GRIDS ];
+bool isInsideLightProbeGrid( vec3 worldPos, vec3 worldNormal, vec3 probesMin, vec3 probesMax, vec3 probesResolution ) {
+	vec3 spacing = ( probesMax - probesMin ) / probesResolution;
+	vec3 samplePos = worldPos + worldNormal * spacing * 0.5;
+	vec3 margin = spacing * 0.01;
+	return all( greaterThanEqual( samplePos, probesMin - margin ) ) && all( lessThanEqual( samplePos, probesMax + margin ) );
+}
+vec3 getLightProbeGridIrradiance( highp sampler3D probesSH, vec3 probesMin, vec3 probesMax, vec3 probesResolution, vec3 worldPos, vec3 worldNormal ) {
+	vec3 res = probesResolution;
+	vec3 gridRange = probesMax - probesMin;
+	vec3 probeSpacing = gridRange / res;
+	vec3 samplePos = worldPos + worldNormal * probeSpacing * 0.5;
+	vec3 uvw = clamp( ( samplePos - probesMin ) / gridRange, 0.5 / res, 1.0 - 0.5 / res );
+	float nz          = res.z;
+	float paddedSlices = nz + 2.0;
+	float atlasDepth  = 7.0 * paddedSlices;
+	float uvZBase     = uvw.z * nz + 1.0;
+	vec4 s0 = texture( probesSH, vec3( uvw.xy, ( uvZBase                       ) / atlasDepth ) );
+	vec4 s1 = texture( probesSH, vec3( uvw.xy, ( uvZBase +       paddedSlices   ) / atlasDepth ) );
+	vec4 s2 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 2.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s3 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 3.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s4 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 4.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s5 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 5.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s6 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 6.0 * paddedSlices   ) / atlasDepth ) );
+	vec3 c0 = s0.xyz;
+	vec3 c1 = vec3( s0.w, s1.xy );
+	vec3 c2 = vec3( s1.zw, s2.x );
+	vec3 c3 = s2.yzw;
+	vec3 c4 = s3.xyz;
+	vec3 c5 = vec3( s3.w, s4.xy );
+	vec3 c6 = vec3( s4.zw, s5.x );
+	vec3 c7 = s5.yzw;
+	vec3 c8 = s6.xyz;
+	float x = worldNormal.x, y = worldNormal.y, z = worldNormal.z;
+	vec3 result = c0 * 0.886227;
+	result += c1 * 2.0 * 0.511664 * y;
+	result += c2 * 2.0 * 0.511664 * z;
+	result += c3 * 2.0 * 0.511664 * x;
+	result += c4 * 2.0 * 0.429043 * x * y;
+	result += c5 * 2.0 * 0.429043 * y * z;
+	result += c6 * ( 0.743125 * z * z - 0.247708 );
+	result += c7 * 2.0 * 0.429043 * x * z;
+	result += c8 * 0.429043 * ( x * x - y * y );
+	return max( result, vec3( 0.0 ) );
+}
+#endif`,Eg=`#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )
+	gl_FragDepth = vIsPerspective == 0.0 ? gl_FragCoord.z : log2( vFragDepth ) * logDepthBufFC * 0.5;
+#endif`,Cg=`#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )
+	uniform float logDepthBufFC;
+	varying float vFragDepth;
+	varying float vIsPerspective;
+#endif`,Rg=`#ifdef USE_LOGARITHMIC_DEPTH_BUFFER
+	varying float vFragDepth;
+	varying float vIsPerspective;
+#endif`,Pg=`#ifdef USE_LOGARITHMIC_DEPTH_BUFFER
+	vFragDepth = 1.0 + gl_Position.w;
+	vIsPerspective = float( isPerspectiveMatrix( projectionMatrix ) );
+#endif`,Ig=`#ifdef USE_MAP
+	vec4 sampledDiffuseColor = texture2D( map, vMapUv );
+	#ifdef DECODE_VIDEO_TEXTURE
+		sampledDiffuseColor = sRGBTransferEOTF( sampledDiffuseColor );
+	#endif
+	diffuseColor *= sampledDiffuseColor;
+#endif`,Lg=`#ifdef USE_MAP
+	uniform sampler2D map;
+#endif`,Ng=`#if defined( USE_MAP ) || defined( USE_ALPHAMAP )
+	#if defined( USE_POINTS_UV )
+		vec2 uv = vUv;
+	#else
+		vec2 uv = ( uvTransform * vec3( gl_PointCoord.x, 1.0 - gl_PointCoord.y, 1 ) ).xy;
+	#endif
+#endif
+#ifdef USE_MAP
+	diffuseColor *= texture2D( map, uv );
+#endif
+#ifdef USE_ALPHAMAP
+	diffuseColor.a *= texture2D( alphaMap, uv ).g;
+#endif`,Dg=`#if defined( USE_POINTS_UV )
+	varying vec2 vUv;
+#else
+	#if defined( USE_MAP ) || defined( USE_ALPHAMAP )
+		uniform mat3 uvTransform;
+	#endif
+#endif
+#ifdef USE_MAP
+	uniform sampler2D map;
+#endif
+#ifdef USE_ALPHAMAP
+	uniform sampler2D alphaMap;
+#endif`,Fg=`float metalnessFactor = metalness;
+#ifdef USE_METALNESSMAP
+	vec4 texelMetalness = texture2D( metalnessMap, vMetalnessMapUv );
+	metalnessFactor *= texelMetalness.b;
+#endif`,Ug=`#ifdef USE_METALNESSMAP
+	uniform sampler2D metalnessMap;
+#endif`,Og=`#ifdef USE_INSTANCING_MORPH
+	float morphTargetInfluences[ MORPHTARGETS_COUNT ];
+	float morphTargetBaseInfluence = texelFetch( morphTexture, ivec2( 0, gl_InstanceID ), 0 ).r;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		morphTargetInfluences[i] =  texelFetch( morphTexture, ivec2( i + 1, gl_InstanceID ), 0 ).r;
+	}
+#endif`,kg=`#if defined( USE_MORPHCOLORS )
+	#if defined( USE_COLOR_ALPHA )
+		vColor *= morphTargetBaseInfluence;
+	#elif defined( USE_COLOR )
+		vColor.rgb *= morphTargetBaseInfluence;
+	#endif
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		#if defined( USE_COLOR_ALPHA )
+			if ( morphTargetInfluences[ i ] != 0.0 ) vColor += getMorph( gl_VertexID, i, 2 ) * morphTargetInfluences[ i ];
+		#elif defined( USE_COLOR )
+			if ( morphTargetInfluences[ i ] != 0.0 ) vColor.rgb += getMorph( gl_VertexID, i, 2 ).rgb * morphTargetInfluences[ i ];
+		#endif
+	}
+#endif`,Bg=`#ifdef USE_MORPHNORMALS
+	objectNormal *= morphTargetBaseInfluence;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		if ( morphTargetInfluences[ i ] != 0.0 ) objectNormal += getMorph( gl_VertexID, i, 1 ).xyz * morphTargetInfluences[ i ];
+	}
+#endif`,zg=`#ifdef USE_MORPHTARGETS
+	#ifndef USE_INSTANCING_MORPH
+		uniform float morphTargetBaseInfluence;
+		uniform float morphTargetInfluences[ MORPHTARGETS_COUNT ];
+	#endif
+	uniform sampler2DArray morphTargetsTexture;
+	uniform ivec2 morphTargetsTextureSize;
+	vec4 getMorph( const in int vertexIndex, const in int morphTargetIndex, const in int offset ) {
+		int texelIndex = vertexIndex * MORPHTARGETS_TEXTURE_STRIDE + offset;
+		int y = texelIndex / morphTargetsTextureSize.x;
+		int x = texelIndex - y * morphTargetsTextureSize.x;
+		ivec3 morphUV = ivec3( x, y, morphTargetIndex );
+		return texelFetch( morphTargetsTexture, morphUV, 0 );
+	}
+#endif`,Vg=`#ifdef USE_MORPHTARGETS
+	transformed *= morphTargetBaseInfluence;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		if ( morphTargetInfluences[ i ] != 0.0 ) transformed += getMorph( gl_VertexID, i, 0 ).xyz * morphTargetInfluences[ i ];
+	}
+#endif`,Hg=`float faceDirection = gl_FrontFacing ? 1.0 : - 1.0;
+#ifdef FLAT_SHADED
+	vec3 fdx = dFdx( vViewPosition );
+	vec3 fdy = dFdy( vViewPosition );
+	vec3 normal = normalize( cross( fdx, fdy ) );
+#else
+	vec3 normal = normalize( vNormal );
+	#ifdef DOUBLE_SIDED
+		normal *= faceDirection;
+	#endif
+#endif
+#if defined( USE_NORMALMAP_TANGENTSPACE ) || defined( USE_CLEARCOAT_NORMALMAP ) || defined( USE_ANISOTROPY )
+	#ifdef USE_TANGENT
+		mat3 tbn = mat3( normalize( vTangent ), normalize( vBitangent ), normal );
+	#else
+		mat3 tbn = getTangentFrame( - vViewPosition, normal,
+		#if defined( USE_NORMALMAP )
+			vNormalMapUv
+		#elif defined( USE_CLEARCOAT_NORMALMAP )
+			vClearcoatNormalMapUv
+		#else
+			vUv
+		#endif
+		);
+	#endif
+	#ifdef DOUBLE_SIDED
+		tbn[0] *= faceDirection;
+		tbn[1] *= faceDirection;
+	#endif
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	#ifdef USE_TANGENT
+		mat3 tbn2 = mat3( normalize( vTangent ), normalize( vBitangent ), normal );
+	#else
+		mat3 tbn2 = getTangentFrame( - vViewPosition, normal, vClearcoatNormalMapUv );
+	#endif
+	#ifdef DOUBLE_SIDED
+		tbn2[0] *= faceDirection;
+		tbn2[1] *= faceDirection;
+	#endif
+#endif
+vec3 nonPerturbedNormal = normal;`,Gg=`#ifdef USE_NORMALMAP_OBJECTSPACE
+	normal = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;
+	#ifdef FLIP_SIDED
+		normal = - normal;
+	#endif
+	#ifdef DOUBLE_SIDED
+		normal = normal * faceDirection;
+	#endif
+	normal = normalize( normalMatrix * normal );
+#elif defined( USE_NORMALMAP_TANGENTSPACE )
+	vec3 mapN = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;
+	#if defined( USE_PACKED_NORMALMAP )
+		mapN = vec3( mapN.xy, sqrt( saturate( 1.0 - dot( mapN.xy, mapN.xy ) ) ) );
+	#endif
+	mapN.xy *= normalScale;
+	normal = normalize( tbn * mapN );
+#elif defined( USE_BUMPMAP )
+	normal = perturbNormalArb( - vViewPosition, normal, dHdxy_fwd(), faceDirection );
+#endif`,Wg=`#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+	#ifdef USE_TANGENT
+		varying vec3 vTangent;
+		varying vec3 vBitangent;
+	#endif
+#endif`,Xg=`#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+	#ifdef USE_TANGENT
+		varying vec3 vTangent;
+		varying vec3 vBitangent;
+	#endif
+#endif`,qg=`#ifndef FLAT_SHADED
+	vNormal = normalize( transformedNormal );
+	#ifdef USE_TANGENT
+		vTangent = normalize( transformedTangent );
+		vBitangent = normalize( cross( vNormal, vTangent ) * tangent.w );
+		#ifdef FLIP_SIDED
+			vBitangent = - vBitangent;
+		#endif
+	#endif
+#endif`,$g=`#ifdef USE_NORMALMAP
+	uniform sampler2D normalMap;
+	uniform vec2 normalScale;
+#endif
+#ifdef USE_NORMALMAP_OBJECTSPACE
+	uniform mat3 normalMatrix;
+#endif
+#if ! defined ( USE_TANGENT ) && ( defined ( USE_NORMALMAP_TANGENTSPACE ) || defined ( USE_CLEARCOAT_NORMALMAP ) || defined( USE_ANISOTROPY ) )
+	mat3 getTangentFrame( vec3 eye_pos, vec3 surf_norm, vec2 uv ) {
+		vec3 q0 = dFdx( eye_pos.xyz );
+		vec3 q1 = dFdy( eye_pos.xyz );
+		vec2 st0 = dFdx( uv.st );
+		vec2 st1 = dFdy( uv.st );
+		vec3 N = surf_norm;
+		vec3 q1perp = cross( q1, N );
+		vec3 q0perp = cross( N, q0 );
+		vec3 T = q1perp * st0.x + q0perp * st1.x;
+		vec3 B = q1perp * st0.y + q0perp * st1.y;
+		float det = max( dot( T, T ), dot( B, B ) );
+		float scale = ( det == 0.0 ) ? 0.0 : inversesqrt( det );
+		return mat3( T * scale, B * scale, N );
+	}
+#endif`,Yg=`#ifdef USE_CLEARCOAT
+	vec3 clearcoatNormal = nonPerturbedNormal;
+#endif`,Jg=`#ifdef USE_CLEARCOAT_NORMALMAP
+	vec3 clearcoatMapN = texture2D( clearcoatNormalMap, vClearcoatNormalMapUv ).xyz * 2.0 - 1.0;
+	clearcoatMapN.xy *= clearcoatNormalScale;
+	clearcoatNormal = normalize( tbn2 * clearcoatMapN );
+#endif`,Zg=`#ifdef USE_CLEARCOATMAP
+	uniform sampler2D clearcoatMap;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	uniform sampler2D clearcoatNormalMap;
+	uniform vec2 clearcoatNormalScale;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	uniform sampler2D clearcoatRoughnessMap;
+#endif`,Kg=`#ifdef USE_IRIDESCENCEMAP
+	uniform sampler2D iridescenceMap;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	uniform sampler2D iridescenceThicknessMap;
+#endif`,jg=`#ifdef OPAQUE
+diffuseColor.a = 1.0;
+#endif
+#ifdef USE_TRANSMISSION
+diffuseColor.a *= material.transmissionAlpha;
+#endif
+gl_FragColor = vec4( outgoingLight, diffuseColor.a );`,Qg=`vec3 packNormalToRGB( const in vec3 normal ) {
+	return normalize( normal ) * 0.5 + 0.5;
+}
+vec3 unpackRGBToNormal( const in vec3 rgb ) {
+	return 2.0 * rgb.xyz - 1.0;
+}
+const float PackUpscale = 256. / 255.;const float UnpackDownscale = 255. / 256.;const float ShiftRight8 = 1. / 256.;
+const float Inv255 = 1. / 255.;
+const vec4 PackFactors = vec4( 1.0, 256.0, 256.0 * 256.0, 256.0 * 256.0 * 256.0 );
+const vec2 UnpackFactors2 = vec2( UnpackDownscale, 1.0 / PackFactors.g );
+const vec3 UnpackFactors3 = vec3( UnpackDownscale / PackFactors.rg, 1.0 / PackFactors.b );
+const vec4 UnpackFactors4 = vec4( UnpackDownscale / PackFactors.rgb, 1.0 / PackFactors.a );
+vec4 packDepthToRGBA( const in float v ) {
+	if( v <= 0.0 )
+		return vec4( 0., 0., 0., 0. );
+	if( v >= 1.0 )
+		return vec4( 1., 1., 1., 1. );
+	float vuf;
+	float af = modf( v * PackFactors.a, vuf );
+	float bf = modf( vuf * ShiftRight8, vuf );
+	float gf = modf( vuf * ShiftRight8, vuf );
+	return vec4( vuf * Inv255, gf * PackUpscale, bf * PackUpscale, af );
+}
+vec3 packDepthToRGB( const in float v ) {
+	if( v <= 0.0 )
+		return vec3( 0., 0., 0. );
+	if( v >= 1.0 )
+		return vec3( 1., 1., 1. );
+	float vuf;
+	float bf = modf( v * PackFactors.b, vuf );
+	float gf = modf( vuf * ShiftRight8, vuf );
+	return vec3( vuf * Inv255, gf * PackUpscale, bf );
+}
+vec2 packDepthToRG( const in float v ) {
+	if( v <= 0.0 )
+		return vec2( 0., 0. );
+	if( v >= 1.0 )
+		return vec2( 1., 1. );
+	float vuf;
+	float gf = modf( v * 256., vuf );
+	return vec2( vuf * Inv255, gf );
+}
+float unpackRGBAToDepth( const in vec4 v ) {
+	return dot( v, UnpackFactors4 );
+}
+float unpackRGBToDepth( const in vec3 v ) {
+	return dot( v, UnpackFactors3 );
+}
+float unpackRGToDepth( const in vec2 v ) {
+	return v.r * UnpackFactors2.r + v.g * UnpackFactors2.g;
+}
+vec4 pack2HalfToRGBA( const in vec2 v ) {
+	vec4 r = vec4( v.x, fract( v.x * 255.0 ), v.y, fract( v.y * 255.0 ) );
+	return vec4( r.x - r.y / 255.0, r.y, r.z - r.w / 255.0, r.w );
+}
+vec2 unpackRGBATo2Half( const in vec4 v ) {
+	return vec2( v.x + ( v.y / 255.0 ), v.z + ( v.w / 255.0 ) );
+}
+float viewZToOrthographicDepth( const in float viewZ, const in float near, const in float far ) {
+	return ( viewZ + near ) / ( near - far );
+}
+float orthographicDepthToViewZ( const in float depth, const in float near, const in float far ) {
+	#ifdef USE_REVERSED_DEPTH_BUFFER
+	
+		return depth * ( far - near ) - far;
+	#else
+		return depth * ( near - far ) - near;
+	#endif
+}
+float viewZToPerspectiveDepth( const in float viewZ, const in float near, const in float far ) {
+	return ( ( near + viewZ ) * far ) / ( ( far - near ) * viewZ );
+}
+float perspectiveDepthToViewZ( const in float depth, const in float near, const in float far ) {
+	
+	#ifdef USE_REVERSED_DEPTH_BUFFER
+		return ( near * far ) / ( ( near - far ) * depth - near );
+	#else
+		return ( near * far ) / ( ( far - near ) * depth - far );
+	#endif
+}`,e0=`#ifdef PREMULTIPLIED_ALPHA
+	gl_FragColor.rgb *= gl_FragColor.a;
+#endif`,t0=`vec4 mvPosition = vec4( transformed, 1.0 );
+#ifdef USE_BATCHING
+	mvPosition = batchingMatrix * mvPosition;
+#endif
+#ifdef USE_INSTANCING
+	mvPosition = instanceMatrix * mvPosition;
+#endif
+mvPosition = modelViewMatrix * mvPosition;
+gl_Position = projectionMatrix * mvPosition;`,n0=`#ifdef DITHERING
+	gl_FragColor.rgb = dithering( gl_FragColor.rgb );
+#endif`,i0=`#ifdef DITHERING
+	vec3 dithering( vec3 color ) {
+		float grid_position = rand( gl_FragCoord.xy );
+		vec3 dither_shift_RGB = vec3( 0.25 / 255.0, -0.25 / 255.0, 0.25 / 255.0 );
+		dither_shift_RGB = mix( 2.0 * dither_shift_RGB, -2.0 * dither_shift_RGB, grid_position );
+		return color + dither_shift_RGB;
+	}
+#endif`,s0=`float roughnessFactor = roughness;
+#ifdef USE_ROUGHNESSMAP
+	vec4 texelRoughness = texture2D( roughnessMap, vRoughnessMapUv );
+	roughnessFactor *= texelRoughness.g;
+#endif`,r0=`#ifdef USE_ROUGHNESSMAP
+	uniform sampler2D roughnessMap;
+#endif`,a0=`#if NUM_SPOT_LIGHT_COORDS > 0
+	varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_COORDS ];
+#endif
+#if NUM_SPOT_LIGHT_MAPS > 0
+	uniform sampler2D spotLightMap[ NUM_SPOT_LIGHT_MAPS ];
+#endif
+#ifdef USE_SHADOWMAP
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		#define SUN_LIGHT_CASCADES 2
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform sampler2DShadow sunShadowMap[ NUM_SUN_LIGHT_SHADOWS ];
+		#else
+			uniform sampler2D sunShadowMap[ NUM_SUN_LIGHT_SHADOWS ];
+		#endif
+		uniform mat4 sunShadowMatrix[ NUM_SUN_LIGHT_SHADOWS * SUN_LIGHT_CASCADES ];
+		uniform vec4 sunShadowCascade[ NUM_SUN_LIGHT_SHADOWS * SUN_LIGHT_CASCADES ];
+		varying vec4 vSunShadowWorldPosition;
+		varying vec3 vSunShadowWorldNormal;
+		struct SunLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform SunLightShadow sunLightShadows[ NUM_SUN_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform sampler2DShadow directionalShadowMap[ NUM_DIR_LIGHT_SHADOWS ];
+		#else
+			uniform sampler2D directionalShadowMap[ NUM_DIR_LIGHT_SHADOWS ];
+		#endif
+		varying vec4 vDirectionalShadowCoord[ NUM_DIR_LIGHT_SHADOWS ];
+		struct DirectionalLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform DirectionalLightShadow directionalLightShadows[ NUM_DIR_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform sampler2DShadow spotShadowMap[ NUM_SPOT_LIGHT_SHADOWS ];
+		#else
+			uniform sampler2D spotShadowMap[ NUM_SPOT_LIGHT_SHADOWS ];
+		#endif
+		struct SpotLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform SpotLightShadow spotLightShadows[ NUM_SPOT_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform samplerCubeShadow pointShadowMap[ NUM_POINT_LIGHT_SHADOWS ];
+		#elif defined( SHADOWMAP_TYPE_BASIC )
+			uniform samplerCube pointShadowMap[ NUM_POINT_LIGHT_SHADOWS ];
+		#endif
+		varying vec4 vPointShadowCoord[ NUM_POINT_LIGHT_SHADOWS ];
+		struct PointLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+			float shadowCameraNear;
+			float shadowCameraFar;
+		};
+		uniform PointLightShadow pointLightShadows[ NUM_POINT_LIGHT_SHADOWS ];
+	#endif
+	#if defined( SHADOWMAP_TYPE_PCF )
+		float interleavedGradientNoise( vec2 position ) {
+			return fract( 52.9829189 * fract( dot( position, vec2( 0.06711056, 0.00583715 ) ) ) );
+		}
+		vec2 vogelDiskSample( int sampleIndex, int samplesCount, float phi ) {
+			const float goldenAngle = 2.399963229728653;
+			float r = sqrt( ( float( sampleIndex ) + 0.5 ) / float( samplesCount ) );
+			float theta = float( sampleIndex ) * goldenAngle + phi;
+			return vec2( cos( theta ), sin( theta ) ) * r;
+		}
+	#endif
+	#if defined( SHADOWMAP_TYPE_PCF )
+		float getShadow( sampler2DShadow shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord ) {
+			float shadow = 1.0;
+			shadowCoord.xyz /= shadowCoord.w;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				shadowCoord.z -= shadowBias;
+			#else
+				shadowCoord.z += shadowBias;
+			#endif
+			bool inFrustum = shadowCoord.x >= 0.0 && shadowCoord.x <= 1.0 && shadowCoord.y >= 0.0 && shadowCoord.y <= 1.0;
+			bool frustumTest = inFrustum && shadowCoord.z <= 1.0;
+			if ( frustumTest ) {
+				vec2 texelSize = vec2( 1.0 ) / shadowMapSize;
+				vec2 radius = shadowRadius * texelSize;
+				float phi = interleavedGradientNoise( gl_FragCoord.xy ) * PI2;
+				shadow = (
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 0, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 1, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 2, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 3, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 4, 5, phi ) * radius, shadowCoord.z ) )
+				) * 0.2;
+			}
+			return mix( 1.0, shadow, shadowIntensity );
+		}
+	#elif defined( SHADOWMAP_TYPE_VSM )
+		float getShadow( sampler2D shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord ) {
+			float shadow = 1.0;
+			shadowCoord.xyz /= shadowCoord.w;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				shadowCoord.z -= shadowBias;
+			#else
+				shadowCoord.z += shadowBias;
+			#endif
+			bool inFrustum = shadowCoord.x >= 0.0 && shadowCoord.x <= 1.0 && shadowCoord.y >= 0.0 && shadowCoord.y <= 1.0;
+			bool frustumTest = inFrustum && shadowCoord.z <= 1.0;
+			if ( frustumTest ) {
+				vec2 distribution = texture2D( shadowMap, shadowCoord.xy ).rg;
+				float mean = distribution.x;
+				float variance = distribution.y * distribution.y;
+				#ifdef USE_REVERSED_DEPTH_BUFFER
+					float hard_shadow = step( mean, shadowCoord.z );
+				#else
+					float hard_shadow = step( shadowCoord.z, mean );
+				#endif
+				
+				if ( hard_shadow == 1.0 ) {
+					shadow = 1.0;
+				} else {
+					variance = max( variance, 0.0000001 );
+					float d = shadowCoord.z - mean;
+					float p_max = variance / ( variance + d * d );
+					p_max = clamp( ( p_max - 0.3 ) / 0.65, 0.0, 1.0 );
+					shadow = max( hard_shadow, p_max );
+				}
+			}
+			return mix( 1.0, shadow, shadowIntensity );
+		}
+	#else
+		float getShadow( sampler2D shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord ) {
+			float shadow = 1.0;
+			shadowCoord.xyz /= shadowCoord.w;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				shadowCoord.z -= shadowBias;
+			#else
+				shadowCoord.z += shadowBias;
+			#endif
+			bool inFrustum = shadowCoord.x >= 0.0 && shadowCoord.x <= 1.0 && shadowCoord.y >= 0.0 && shadowCoord.y <= 1.0;
+			bool frustumTest = inFrustum && shadowCoord.z <= 1.0;
+			if ( frustumTest ) {
+				float depth = texture2D( shadowMap, shadowCoord.xy ).r;
+				#ifdef USE_REVERSED_DEPTH_BUFFER
+					shadow = step( depth, shadowCoord.z );
+				#else
+					shadow = step( shadowCoord.z, depth );
+				#endif
+			}
+			return mix( 1.0, shadow, shadowIntensity );
+		}
+	#endif
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		float getSunShadow(
+			#if defined( SHADOWMAP_TYPE_PCF )
+				sampler2DShadow shadowMap,
+			#else
+				sampler2D shadowMap,
+			#endif
+			SunLightShadow sunLightShadow,
+			int shadowIndex
+		) {
+			vec4 shadowWorldPosition = vec4( vSunShadowWorldPosition.xyz + vSunShadowWorldNormal * sunLightShadow.shadowNormalBias, 1.0 );
+			float viewDepth = vSunShadowWorldPosition.w;
+			int cascadeOffset = shadowIndex * SUN_LIGHT_CASCADES;
+			float shadow = 1.0;
+			for ( int i = SUN_LIGHT_CASCADES - 1; i >= 0; i -- ) {
+				vec4 cascade = sunShadowCascade[ cascadeOffset + i ];
+				if ( viewDepth >= cascade.x && viewDepth < cascade.y ) {
+					float cascadeShadow = getShadow(
+						shadowMap,
+						sunLightShadow.shadowMapSize,
+						sunLightShadow.shadowIntensity,
+						sunLightShadow.shadowBias,
+						sunLightShadow.shadowRadius,
+						sunShadowMatrix[ cascadeOffset + i ] * shadowWorldPosition
+					);
+					shadow = mix( cascadeShadow, shadow, smoothstep( cascade.z, cascade.y, viewDepth ) );
+				}
+			}
+			return shadow;
+		}
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+	#if defined( SHADOWMAP_TYPE_PCF )
+	float getPointShadow( samplerCubeShadow shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord, float shadowCameraNear, float shadowCameraFar ) {
+		float shadow = 1.0;
+		vec3 lightToPosition = shadowCoord.xyz;
+		vec3 bd3D = normalize( lightToPosition );
+		vec3 absVec = abs( lightToPosition );
+		float viewSpaceZ = max( max( absVec.x, absVec.y ), absVec.z );
+		if ( viewSpaceZ - shadowCameraFar <= 0.0 && viewSpaceZ - shadowCameraNear >= 0.0 ) {
+			float lightDistance = length( lightToPosition );
+			float depthRange = shadowCameraFar - shadowCameraNear;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				float depthA = - shadowCameraNear / depthRange - shadowBias;
+				float depthB = shadowCameraNear * shadowCameraFar / ( depthRange * lightDistance );
+			#else
+				float depthA = shadowCameraFar / depthRange + shadowBias;
+				float depthB = - shadowCameraNear * shadowCameraFar / ( depthRange * lightDistance );
+			#endif
+			float texelSize = shadowRadius / shadowMapSize.x;
+			vec3 absDir = abs( bd3D );
+			vec3 tangent = absDir.x > absDir.z ? vec3( 0.0, 1.0, 0.0 ) : vec3( 1.0, 0.0, 0.0 );
+			tangent = normalize( cross( bd3D, tangent ) );
+			vec3 bitangent = cross( bd3D, tangent );
+			float phi = interleavedGradientNoise( gl_FragCoord.xy ) * PI2;
+			shadow = 0.0;
+			for ( int i = 0; i < 5; i ++ ) {
+				vec2 offset = vogelDiskSample( i, 5, phi );
+				vec3 direction = bd3D + ( tangent * offset.x + bitangent * offset.y ) * texelSize;
+				vec3 absDirection = abs( direction );
+				float dp = depthA + depthB / max( max( absDirection.x, absDirection.y ), absDirection.z );
+				shadow += texture( shadowMap, vec4( direction, dp ) );
+			}
+			shadow *= 0.2;
+		}
+		return mix( 1.0, shadow, shadowIntensity );
+	}
+	#elif defined( SHADOWMAP_TYPE_BASIC )
+	float getPointShadow( samplerCube shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord, float shadowCameraNear, float shadowCameraFar ) {
+		float shadow = 1.0;
+		vec3 lightToPosition = shadowCoord.xyz;
+		vec3 absVec = abs( lightToPosition );
+		float viewSpaceZ = max( max( absVec.x, absVec.y ), absVec.z );
+		if ( viewSpaceZ - shadowCameraFar <= 0.0 && viewSpaceZ - shadowCameraNear >= 0.0 ) {
+			float dp = ( shadowCameraFar * ( viewSpaceZ - shadowCameraNear ) ) / ( viewSpaceZ * ( shadowCameraFar - shadowCameraNear ) );
+			dp += shadowBias;
+			vec3 bd3D = normalize( lightToPosition );
+			float depth = textureCube( shadowMap, bd3D ).r;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				depth = 1.0 - depth;
+			#endif
+			shadow = step( dp, depth );
+		}
+		return mix( 1.0, shadow, shadowIntensity );
+	}
+	#endif
+	#endif
+#endif`,o0=`#if NUM_SPOT_LIGHT_COORDS > 0
+	uniform mat4 spotLightMatrix[ NUM_SPOT_LIGHT_COORDS ];
+	varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_COORDS ];
+#endif
+#ifdef USE_SHADOWMAP
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		varying vec4 vSunShadowWorldPosition;
+		varying vec3 vSunShadowWorldNormal;
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		uniform mat4 directionalShadowMatrix[ NUM_DIR_LIGHT_SHADOWS ];
+		varying vec4 vDirectionalShadowCoord[ NUM_DIR_LIGHT_SHADOWS ];
+		struct DirectionalLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform DirectionalLightShadow directionalLightShadows[ NUM_DIR_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+		struct SpotLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform SpotLightShadow spotLightShadows[ NUM_SPOT_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		uniform mat4 pointShadowMatrix[ NUM_POINT_LIGHT_SHADOWS ];
+		varying vec4 vPointShadowCoord[ NUM_POINT_LIGHT_SHADOWS ];
+		struct PointLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+			float shadowCameraNear;
+			float shadowCameraFar;
+		};
+		uniform PointLightShadow pointLightShadows[ NUM_POINT_LIGHT_SHADOWS ];
+	#endif
+#endif`,l0=`#if ( defined( USE_SHADOWMAP ) && ( NUM_DIR_LIGHT_SHADOWS > 0 || NUM_SUN_LIGHT_SHADOWS > 0 || NUM_POINT_LIGHT_SHADOWS > 0 ) ) || ( NUM_SPOT_LIGHT_COORDS > 0 )
+	#ifdef HAS_NORMAL
+		vec3 shadowWorldNormal = transformNormalByInverseViewMatrix( transformedNormal, viewMatrix );
+	#else
+		vec3 shadowWorldNormal = vec3( 0.0 );
+	#endif
+	vec4 shadowWorldPosition;
+#endif
+#if defined( USE_SHADOWMAP )
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		vSunShadowWorldPosition = vec4( worldPosition.xyz, - mvPosition.z );
+		vSunShadowWorldNormal = shadowWorldNormal;
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_DIR_LIGHT_SHADOWS; i ++ ) {
+			shadowWorldPosition = worldPosition + vec4( shadowWorldNormal * directionalLightShadows[ i ].shadowNormalBias, 0 );
+			vDirectionalShadowCoord[ i ] = directionalShadowMatrix[ i ] * shadowWorldPosition;
+		}
+		#pragma unroll_loop_end
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {
+			shadowWorldPosition = worldPosition + vec4( shadowWorldNormal * pointLightShadows[ i ].shadowNormalBias, 0 );
+			vPointShadowCoord[ i ] = pointShadowMatrix[ i ] * shadowWorldPosition;
+		}
+		#pragma unroll_loop_end
+	#endif
+#endif
+#if NUM_SPOT_LIGHT_COORDS > 0
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHT_COORDS; i ++ ) {
+		shadowWorldPosition = worldPosition;
+		#if ( defined( USE_SHADOWMAP ) && UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+			shadowWorldPosition.xyz += shadowWorldNormal * spotLightShadows[ i ].shadowNormalBias;
+		#endif
+		vSpotLightCoord[ i ] = spotLightMatrix[ i ] * shadowWorldPosition;
+	}
+	#pragma unroll_loop_end
+#endif`,c0=`float getShadowMask() {
+	float shadow = 1.0;
+	#ifdef USE_SHADOWMAP
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+	SunLightShadow sunLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SUN_LIGHT_SHADOWS; i ++ ) {
+		sunLight = sunLightShadows[ i ];
+		shadow *= receiveShadow ? getSunShadow( sunShadowMap[ i ], sunLight, UNROLLED_LOOP_INDEX ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+	DirectionalLightShadow directionalLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_DIR_LIGHT_SHADOWS; i ++ ) {
+		directionalLight = directionalLightShadows[ i ];
+		shadow *= receiveShadow ? getShadow( directionalShadowMap[ i ], directionalLight.shadowMapSize, directionalLight.shadowIntensity, directionalLight.shadowBias, directionalLight.shadowRadius, vDirectionalShadowCoord[ i ] ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+	SpotLightShadow spotLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHT_SHADOWS; i ++ ) {
+		spotLight = spotLightShadows[ i ];
+		shadow *= receiveShadow ? getShadow( spotShadowMap[ i ], spotLight.shadowMapSize, spotLight.shadowIntensity, spotLight.shadowBias, spotLight.shadowRadius, vSpotLightCoord[ i ] ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0 && ( defined( SHADOWMAP_TYPE_PCF ) || defined( SHADOWMAP_TYPE_BASIC ) )
+	PointLightShadow pointLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {
+		pointLight = pointLightShadows[ i ];
+		shadow *= receiveShadow ? getPointShadow( pointShadowMap[ i ], pointLight.shadowMapSize, pointLight.shadowIntensity, pointLight.shadowBias, pointLight.shadowRadius, vPointShadowCoord[ i ], pointLight.shadowCameraNear, pointLight.shadowCameraFar ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#endif
+	return shadow;
+}`,h0=`#ifdef USE_SKINNING
+	mat4 boneMatX = getBoneMatrix( skinIndex.x );
+	mat4 boneMatY = getBoneMatrix( skinIndex.y );
+	mat4 boneMatZ = getBoneMatrix( skinIndex.z );
+	mat4 boneMatW = getBoneMatrix( skinIndex.w );
+#endif`,u0=`#ifdef USE_SKINNING
+	uniform mat4 bindMatrix;
+	uniform mat4 bindMatrixInverse;
+	uniform highp sampler2D boneTexture;
+	mat4 getBoneMatrix( const in float i ) {
+		int size = textureSize( boneTexture, 0 ).x;
+		int j = int( i ) * 4;
+		int x = j % size;
+		int y = j / size;
+		vec4 v1 = texelFetch( boneTexture, ivec2( x, y ), 0 );
+		vec4 v2 = texelFetch( boneTexture, ivec2( x + 1, y ), 0 );
+		vec4 v3 = texelFetch( boneTexture, ivec2( x + 2, y ), 0 );
+		vec4 v4 = texelFetch( boneTexture, ivec2( x + 3, y ), 0 );
+		return mat4( v1, v2, v3, v4 );
+	}
+#endif`,d0=`#ifdef USE_SKINNING
+	vec4 skinVertex = bindMatrix * vec4( transformed, 1.0 );
+	vec4 skinned = vec4( 0.0 );
+	skinned += boneMatX * skinVertex * skinWeight.x;
+	skinned += boneMatY * skinVertex * skinWeight.y;
+	skinned += boneMatZ * skinVertex * skinWeight.z;
+	skinned += boneMatW * skinVertex * skinWeight.w;
+	transformed = ( bindMatrixInverse * skinned ).xyz;
+#endif`,f0=`#ifdef USE_SKINNING
+	mat4 skinMatrix = mat4( 0.0 );
+	skinMatrix += skinWeight.x * boneMatX;
+	skinMatrix += skinWeight.y * boneMatY;
+	skinMatrix += skinWeight.z * boneMatZ;
+	skinMatrix += skinWeight.w * boneMatW;
+	skinMatrix = bindMatrixInverse * skinMatrix * bindMatrix;
+	objectNormal = vec4( skinMatrix * vec4( objectNormal, 0.0 ) ).xyz;
+	#ifdef USE_TANGENT
+		objectTangent = vec4( skinMatrix * vec4( objectTangent, 0.0 ) ).xyz;
+	#endif
+#endif`,p0=`float specularStrength;
+#ifdef USE_SPECULARMAP
+	vec4 texelSpecular = texture2D( specularMap, vSpecularMapUv );
+	specularStrength = texelSpecular.r;
+#else
+	specularStrength = 1.0;
+#endif`,m0=`#ifdef USE_SPECULARMAP
+	uniform sampler2D specularMap;
+#endif`,g0=`#if defined( TONE_MAPPING )
+	gl_FragColor.rgb = toneMapping( gl_FragColor.rgb );
+#endif`,x0=`#ifndef saturate
+#define saturate( a ) clamp( a, 0.0, 1.0 )
+#endif
+uniform float toneMappingExposure;
+vec3 LinearToneMapping( vec3 color ) {
+	return saturate( toneMappingExposure * color );
+}
+vec3 ReinhardToneMapping( vec3 color ) {
+	color *= toneMappingExposure;
+	return saturate( color / ( vec3( 1.0 ) + color ) );
+}
+vec3 CineonToneMapping( vec3 color ) {
+	color *= toneMappingExposure;
+	color = max( vec3( 0.0 ), color - 0.004 );
+	return pow( ( color * ( 6.2 * color + 0.5 ) ) / ( color * ( 6.2 * color + 1.7 ) + 0.06 ), vec3( 2.2 ) );
+}
+vec3 RRTAndODTFit( vec3 v ) {
+	vec3 a = v * ( v + 0.0245786 ) - 0.000090537;
+	vec3 b = v * ( 0.983729 * v + 0.4329510 ) + 0.238081;
+	return a / b;
+}
+vec3 ACESFilmicToneMapping( vec3 color ) {
+	const mat3 ACESInputMat = mat3(
+		vec3( 0.59719, 0.07600, 0.02840 ),		vec3( 0.35458, 0.90834, 0.13383 ),
+		vec3( 0.04823, 0.01566, 0.83777 )
+	);
+	const mat3 ACESOutputMat = mat3(
+		vec3(  1.60475, -0.10208, -0.00327 ),		vec3( -0.53108,  1.10813, -0.07276 ),
+		vec3( -0.07367, -0.00605,  1.07602 )
+	);
+	color *= toneMappingExposure / 0.6;
+	color = ACESInputMat * color;
+	color = RRTAndODTFit( color );
+	color = ACESOutputMat * color;
+	return saturate( color );
+}
+const mat3 LINEAR_REC2020_TO_LINEAR_SRGB = mat3(
+	vec3( 1.6605, - 0.1246, - 0.0182 ),
+	vec3( - 0.5876, 1.1329, - 0.1006 ),
+	vec3( - 0.0728, - 0.0083, 1.1187 )
+);
+const mat3 LINEAR_SRGB_TO_LINEAR_REC2020 = mat3(
+	vec3( 0.6274, 0.0691, 0.0164 ),
+	vec3( 0.3293, 0.9195, 0.0880 ),
+	vec3( 0.0433, 0.0113, 0.8956 )
+);
+vec3 agxDefaultContrastApprox( vec3 x ) {
+	vec3 x2 = x * x;
+	vec3 x4 = x2 * x2;
+	return + 15.5 * x4 * x2
+		- 40.14 * x4 * x
+		+ 31.96 * x4
+		- 6.868 * x2 * x
+		+ 0.4298 * x2
+		+ 0.1191 * x
+		- 0.00232;
+}
+vec3 AgXToneMapping( vec3 color ) {
+	const mat3 AgXInsetMatrix = mat3(
+		vec3( 0.856627153315983, 0.137318972929847, 0.11189821299995 ),
+		vec3( 0.0951212405381588, 0.761241990602591, 0.0767994186031903 ),
+		vec3( 0.0482516061458583, 0.101439036467562, 0.811302368396859 )
+	);
+	const mat3 AgXOutsetMatrix = mat3(
+		vec3( 1.1271005818144368, - 0.1413297634984383, - 0.14132976349843826 ),
+		vec3( - 0.11060664309660323, 1.157823702216272, - 0.11060664309660294 ),
+		vec3( - 0.016493938717834573, - 0.016493938717834257, 1.2519364065950405 )
+	);
+	const float AgxMinEv = - 12.47393;	const float AgxMaxEv = 4.026069;
+	color *= toneMappingExposure;
+	color = LINEAR_SRGB_TO_LINEAR_REC2020 * color;
+	color = AgXInsetMatrix * color;
+	color = max( color, 1e-10 );	color = log2( color );
+	color = ( color - AgxMinEv ) / ( AgxMaxEv - AgxMinEv );
+	color = clamp( color, 0.0, 1.0 );
+	color = agxDefaultContrastApprox( color );
+	color = AgXOutsetMatrix * color;
+	color = pow( max( vec3( 0.0 ), color ), vec3( 2.2 ) );
+	color = LINEAR_REC2020_TO_LINEAR_SRGB * color;
+	color = clamp( color, 0.0, 1.0 );
+	return color;
+}
+vec3 NeutralToneMapping( vec3 color ) {
+	const float StartCompression = 0.8 - 0.04;
+	const float Desaturation = 0.15;
+	color *= toneMappingExposure;
+	float x = min( color.r, min( color.g, color.b ) );
+	float offset = x < 0.08 ? x - 6.25 * x * x : 0.04;
+	color -= offset;
+	float peak = max( color.r, max( color.g, color.b ) );
+	if ( peak < StartCompression ) return color;
+	float d = 1. - StartCompression;
+	float newPeak = 1. - d * d / ( peak + d - StartCompression );
+	color *= newPeak / peak;
+	float g = 1. - 1. / ( Desaturation * ( peak - newPeak ) + 1. );
+	return mix( color, vec3( newPeak ), g );
+}
+vec3 CustomToneMapping( vec3 color ) { return color; }`,y0=`#ifdef USE_TRANSMISSION
+	material.transmission = transmission;
+	material.transmissionAlpha = 1.0;
+	material.thickness = thickness;
+	material.attenuationDistance = attenuationDistance;
+	material.attenuationColor = attenuationColor;
+	#ifdef USE_TRANSMISSIONMAP
+		material.transmission *= texture2D( transmissionMap, vTransmissionMapUv ).r;
+	#endif
+	#ifdef USE_THICKNESSMAP
+		material.thickness *= texture2D( thicknessMap, vThicknessMapUv ).g;
+	#endif
+	vec3 pos = vWorldPosition;
+	vec3 v = normalize( cameraPosition - pos );
+	vec3 n = transformNormalByInverseViewMatrix( normal, viewMatrix );
+	vec4 transmitted = getIBLVolumeRefraction(
+		n, v, material.roughness, material.diffuseContribution, material.specularColorBlended, material.specularF90,
+		pos, modelMatrix, viewMatrix, projectionMatrix, material.dispersion, material.ior, material.thickness,
+		material.attenuationColor, material.attenuationDistance );
+	material.transmissionAlpha = mix( material.transmissionAlpha, transmitted.a, material.transmission );
+	totalDiffuse = mix( totalDiffuse, transmitted.rgb, material.transmission );
+#endif`,v0=`#ifdef USE_TRANSMISSION
+	uniform float transmission;
+	uniform float thickness;
+	uniform float attenuationDistance;
+	uniform vec3 attenuationColor;
+	#ifdef USE_TRANSMISSIONMAP
+		uniform sampler2D transmissionMap;
+	#endif
+	#ifdef USE_THICKNESSMAP
+		uniform sampler2D thicknessMap;
+	#endif
+	uniform vec2 transmissionSamplerSize;
+	uniform sampler2D transmissionSamplerMap;
+	uniform mat4 modelMatrix;
+	uniform mat4 projectionMatrix;
+	varying vec3 vWorldPosition;
+	float w0( float a ) {
+		return ( 1.0 / 6.0 ) * ( a * ( a * ( - a + 3.0 ) - 3.0 ) + 1.0 );
+	}
+	float w1( float a ) {
+		return ( 1.0 / 6.0 ) * ( a *  a * ( 3.0 * a - 6.0 ) + 4.0 );
+	}
+	float w2( float a ){
+		return ( 1.0 / 6.0 ) * ( a * ( a * ( - 3.0 * a + 3.0 ) + 3.0 ) + 1.0 );
+	}
+	float w3( float a ) {
+		return ( 1.0 / 6.0 ) * ( a * a * a );
+	}
+	float g0( float a ) {
+		return w0( a ) + w1( a );
+	}
+	float g1( float a ) {
+		return w2( a ) + w3( a );
+	}
+	float h0( float a ) {
+		return - 1.0 + w1( a ) / ( w0( a ) + w1( a ) );
+	}
+	float h1( float a ) {
+		return 1.0 + w3( a ) / ( w2( a ) + w3( a ) );
+	}
+	vec4 bicubic( sampler2D tex, vec2 uv, vec4 texelSize, float lod ) {
+		uv = uv * texelSize.zw + 0.5;
+		vec2 iuv = floor( uv );
+		vec2 fuv = fract( uv );
+		float g0x = g0( fuv.x );
+		float g1x = g1( fuv.x );
+		float h0x = h0( fuv.x );
+		float h1x = h1( fuv.x );
+		float h0y = h0( fuv.y );
+		float h1y = h1( fuv.y );
+		vec2 p0 = ( vec2( iuv.x + h0x, iuv.y + h0y ) - 0.5 ) * texelSize.xy;
+		vec2 p1 = ( vec2( iuv.x + h1x, iuv.y + h0y ) - 0.5 ) * texelSize.xy;
+		vec2 p2 = ( vec2( iuv.x + h0x, iuv.y + h1y ) - 0.5 ) * texelSize.xy;
+		vec2 p3 = ( vec2( iuv.x + h1x, iuv.y + h1y ) - 0.5 ) * texelSize.xy;
+		return g0( fuv.y ) * ( g0x * textureLod( tex, p0, lod ) + g1x * textureLod( tex, p1, lod ) ) +
+			g1( fuv.y ) * ( g0x * textureLod( tex, p2, lod ) + g1x * textureLod( tex, p3, lod ) );
+	}
+	vec4 textureBicubic( sampler2D sampler, vec2 uv, float lod ) {
+		vec2 fLodSize = vec2( textureSize( sampler, int( lod ) ) );
+		vec2 cLodSize = vec2( textureSize( sampler, int( lod + 1.0 ) ) );
+		vec2 fLodSizeInv = 1.0 / fLodSize;
+		vec2 cLodSizeInv = 1.0 / cLodSize;
+		vec4 fSample = bicubic( sampler, uv, vec4( fLodSizeInv, fLodSize ), floor( lod ) );
+		vec4 cSample = bicubic( sampler, uv, vec4( cLodSizeInv, cLodSize ), ceil( lod ) );
+		return mix( fSample, cSample, fract( lod ) );
+	}
+	vec3 getVolumeTransmissionRay( const in vec3 n, const in vec3 v, const in float thickness, const in float ior, const in mat4 modelMatrix ) {
+		vec3 refractionVector = refract( - v, normalize( n ), 1.0 / ior );
+		vec3 modelScale;
+		modelScale.x = length( vec3( modelMatrix[ 0 ].xyz ) );
+		modelScale.y = length( vec3( modelMatrix[ 1 ].xyz ) );
+		modelScale.z = length( vec3( modelMatrix[ 2 ].xyz ) );
+		return normalize( refractionVector ) * thickness * modelScale;
+	}
+	float applyIorToRoughness( const in float roughness, const in float ior ) {
+		return roughness * clamp( ior * 2.0 - 2.0, 0.0, 1.0 );
+	}
+	vec4 getTransmissionSample( const in vec2 fragCoord, const in float roughness, const in float ior ) {
+		float lod = log2( transmissionSamplerSize.x ) * applyIorToRoughness( roughness, ior );
+		return textureBicubic( transmissionSamplerMap, fragCoord.xy, lod );
+	}
+	vec3 volumeAttenuation( const in float transmissionDistance, const in vec3 attenuationColor, const in float attenuationDistance ) {
+		if ( isinf( attenuationDistance ) ) {
+			return vec3( 1.0 );
+		} else {
+			vec3 attenuationCoefficient = -log( attenuationColor ) / attenuationDistance;
+			vec3 transmittance = exp( - attenuationCoefficient * transmissionDistance );			return transmittance;
+		}
+	}
+	vec4 getIBLVolumeRefraction( const in vec3 n, const in vec3 v, const in float roughness, const in vec3 diffuseColor,
+		const in vec3 specularColor, const in float specularF90, const in vec3 position, const in mat4 modelMatrix,
+		const in mat4 viewMatrix, const in mat4 projMatrix, const in float dispersion, const in float ior, const in float thickness,
+		const in vec3 attenuationColor, const in float attenuationDistance ) {
+		vec4 transmittedLight;
+		vec3 transmittance;
+		#ifdef USE_DISPERSION
+			float halfSpread = ( ior - 1.0 ) * 0.025 * dispersion;
+			vec3 iors = vec3( ior - halfSpread, ior, ior + halfSpread );
+			for ( int i = 0; i < 3; i ++ ) {
+				vec3 transmissionRay = getVolumeTransmissionRay( n, v, thickness, iors[ i ], modelMatrix );
+				vec3 refractedRayExit = position + transmissionRay;
+				vec4 ndcPos = projMatrix * viewMatrix * vec4( refractedRayExit, 1.0 );
+				vec2 refractionCoords = ndcPos.xy / ndcPos.w;
+				refractionCoords += 1.0;
+				refractionCoords /= 2.0;
+				vec4 transmissionSample = getTransmissionSample( refractionCoords, roughness, iors[ i ] );
+				transmittedLight[ i ] = transmissionSample[ i ];
+				transmittedLight.a += transmissionSample.a;
+				transmittance[ i ] = diffuseColor[ i ] * volumeAttenuation( length( transmissionRay ), attenuationColor, attenuationDistance )[ i ];
+			}
+			transmittedLight.a /= 3.0;
+		#else
+			vec3 transmissionRay = getVolumeTransmissionRay( n, v, thickness, ior, modelMatrix );
+			vec3 refractedRayExit = position + transmissionRay;
+			vec4 ndcPos = projMatrix * viewMatrix * vec4( refractedRayExit, 1.0 );
+			vec2 refractionCoords = ndcPos.xy / ndcPos.w;
+			refractionCoords += 1.0;
+			refractionCoords /= 2.0;
+			transmittedLight = getTransmissionSample( refractionCoords, roughness, ior );
+			transmittance = diffuseColor * volumeAttenuation( length( transmissionRay ), attenuationColor, attenuationDistance );
+		#endif
+		vec3 attenuatedColor = transmittance * transmittedLight.rgb;
+		vec3 F = EnvironmentBRDF( n, v, specularColor, specularF90, roughness );
+		float transmittanceFactor = ( transmittance.r + transmittance.g + transmittance.b ) / 3.0;
+		return vec4( ( 1.0 - F ) * attenuatedColor, 1.0 - ( 1.0 - transmittedLight.a ) * transmittanceFactor );
+	}
+#endif`,_0=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	varying vec2 vUv;
+#endif
+#ifdef USE_MAP
+	varying vec2 vMapUv;
+#endif
+#ifdef USE_ALPHAMAP
+	varying vec2 vAlphaMapUv;
+#endif
+#ifdef USE_LIGHTMAP
+	varying vec2 vLightMapUv;
+#endif
+#ifdef USE_AOMAP
+	varying vec2 vAoMapUv;
+#endif
+#ifdef USE_BUMPMAP
+	varying vec2 vBumpMapUv;
+#endif
+#ifdef USE_NORMALMAP
+	varying vec2 vNormalMapUv;
+#endif
+#ifdef USE_EMISSIVEMAP
+	varying vec2 vEmissiveMapUv;
+#endif
+#ifdef USE_METALNESSMAP
+	varying vec2 vMetalnessMapUv;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	varying vec2 vRoughnessMapUv;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESSMAP
+	varying vec2 vDiffuseRoughnessMapUv;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	varying vec2 vAnisotropyMapUv;
+#endif
+#ifdef USE_CLEARCOATMAP
+	varying vec2 vClearcoatMapUv;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	varying vec2 vClearcoatNormalMapUv;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	varying vec2 vClearcoatRoughnessMapUv;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	varying vec2 vIridescenceMapUv;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	varying vec2 vIridescenceThicknessMapUv;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	varying vec2 vSheenColorMapUv;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	varying vec2 vSheenRoughnessMapUv;
+#endif
+#ifdef USE_SPECULARMAP
+	varying vec2 vSpecularMapUv;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	varying vec2 vSpecularColorMapUv;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	varying vec2 vSpecularIntensityMapUv;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	uniform mat3 transmissionMapTransform;
+	varying vec2 vTransmissionMapUv;
+#endif
+#ifdef USE_THICKNESSMAP
+	uniform mat3 thicknessMapTransform;
+	varying vec2 vThicknessMapUv;
+#endif`,b0=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	varying vec2 vUv;
+#endif
+#ifdef USE_MAP
+	uniform mat3 mapTransform;
+	varying vec2 vMapUv;
+#endif
+#ifdef USE_ALPHAMAP
+	uniform mat3 alphaMapTransform;
+	varying vec2 vAlphaMapUv;
+#endif
+#ifdef USE_LIGHTMAP
+	uniform mat3 lightMapTransform;
+	varying vec2 vLightMapUv;
+#endif
+#ifdef USE_AOMAP
+	uniform mat3 aoMapTransform;
+	varying vec2 vAoMapUv;
+#endif
+#ifdef USE_BUMPMAP
+	uniform mat3 bumpMapTransform;
+	varying vec2 vBumpMapUv;
+#endif
+#ifdef USE_NORMALMAP
+	uniform mat3 normalMapTransform;
+	varying vec2 vNormalMapUv;
+#endif
+#ifdef USE_DISPLACEMENTMAP
+	uniform mat3 displacementMapTransform;
+	varying vec2 vDisplacementMapUv;
+#endif
+#ifdef USE_EMISSIVEMAP
+	uniform mat3 emissiveMapTransform;
+	varying vec2 vEmissiveMapUv;
+#endif
+#ifdef USE_METALNESSMAP
+	uniform mat3 metalnessMapTransform;
+	varying vec2 vMetalnessMapUv;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	uniform mat3 roughnessMapTransform;
+	varying vec2 vRoughnessMapUv;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESSMAP
+	uniform mat3 diffuseRoughnessMapTransform;
+	varying vec2 vDiffuseRoughnessMapUv;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	uniform mat3 anisotropyMapTransform;
+	varying vec2 vAnisotropyMapUv;
+#endif
+#ifdef USE_CLEARCOATMAP
+	uniform mat3 clearcoatMapTransform;
+	varying vec2 vClearcoatMapUv;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	uniform mat3 clearcoatNormalMapTransform;
+	varying vec2 vClearcoatNormalMapUv;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	uniform mat3 clearcoatRoughnessMapTransform;
+	varying vec2 vClearcoatRoughnessMapUv;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	uniform mat3 sheenColorMapTransform;
+	varying vec2 vSheenColorMapUv;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	uniform mat3 sheenRoughnessMapTransform;
+	varying vec2 vSheenRoughnessMapUv;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	uniform mat3 iridescenceMapTransform;
+	varying vec2 vIridescenceMapUv;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	uniform mat3 iridescenceThicknessMapTransform;
+	varying vec2 vIridescenceThicknessMapUv;
+#endif
+#ifdef USE_SPECULARMAP
+	uniform mat3 specularMapTransform;
+	varying vec2 vSpecularMapUv;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	uniform mat3 specularColorMapTransform;
+	varying vec2 vSpecularColorMapUv;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	uniform mat3 specularIntensityMapTransform;
+	varying vec2 vSpecularIntensityMapUv;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	uniform mat3 transmissionMapTransform;
+	varying vec2 vTransmissionMapUv;
+#endif
+#ifdef USE_THICKNESSMAP
+	uniform mat3 thicknessMapTransform;
+	varying vec2 vThicknessMapUv;
+#endif`,S0=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	vUv = vec3( uv, 1 ).xy;
+#endif
+#ifdef USE_MAP
+	vMapUv = ( mapTransform * vec3( MAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ALPHAMAP
+	vAlphaMapUv = ( alphaMapTransform * vec3( ALPHAMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_LIGHTMAP
+	vLightMapUv = ( lightMapTransform * vec3( LIGHTMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_AOMAP
+	vAoMapUv = ( aoMapTransform * vec3( AOMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_BUMPMAP
+	vBumpMapUv = ( bumpMapTransform * vec3( BUMPMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_NORMALMAP
+	vNormalMapUv = ( normalMapTransform * vec3( NORMALMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_DISPLACEMENTMAP
+	vDisplacementMapUv = ( displacementMapTransform * vec3( DISPLACEMENTMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_EMISSIVEMAP
+	vEmissiveMapUv = ( emissiveMapTransform * vec3( EMISSIVEMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_METALNESSMAP
+	vMetalnessMapUv = ( metalnessMapTransform * vec3( METALNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	vRoughnessMapUv = ( roughnessMapTransform * vec3( ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESSMAP
+	vDiffuseRoughnessMapUv = ( diffuseRoughnessMapTransform * vec3( DIFFUSE_ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	vAnisotropyMapUv = ( anisotropyMapTransform * vec3( ANISOTROPYMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOATMAP
+	vClearcoatMapUv = ( clearcoatMapTransform * vec3( CLEARCOATMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	vClearcoatNormalMapUv = ( clearcoatNormalMapTransform * vec3( CLEARCOAT_NORMALMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	vClearcoatRoughnessMapUv = ( clearcoatRoughnessMapTransform * vec3( CLEARCOAT_ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	vIridescenceMapUv = ( iridescenceMapTransform * vec3( IRIDESCENCEMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	vIridescenceThicknessMapUv = ( iridescenceThicknessMapTransform * vec3( IRIDESCENCE_THICKNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	vSheenColorMapUv = ( sheenColorMapTransform * vec3( SHEEN_COLORMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	vSheenRoughnessMapUv = ( sheenRoughnessMapTransform * vec3( SHEEN_ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULARMAP
+	vSpecularMapUv = ( specularMapTransform * vec3( SPECULARMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	vSpecularColorMapUv = ( specularColorMapTransform * vec3( SPECULAR_COLORMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	vSpecularIntensityMapUv = ( specularIntensityMapTransform * vec3( SPECULAR_INTENSITYMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	vTransmissionMapUv = ( transmissionMapTransform * vec3( TRANSMISSIONMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_THICKNESSMAP
+	vThicknessMapUv = ( thicknessMapTransform * vec3( THICKNESSMAP_UV, 1 ) ).xy;
+#endif`,M0=`#if defined( USE_ENVMAP ) || defined( DISTANCE ) || defined ( USE_SHADOWMAP ) || defined ( USE_TRANSMISSION ) || NUM_SPOT_LIGHT_COORDS > 0
+	vec4 worldPosition = vec4( transformed, 1.0 );
+	#ifdef USE_BATCHING
+		worldPosition = batchingMatrix * worldPosition;
+	#endif
+	#ifdef USE_INSTANCING
+		worldPosition = instanceMatrix * worldPosition;
+	#endif
+	worldPosition = modelMatrix * worldPosition;
+#endif`,w0=`varying vec2 vUv;
+uniform mat3 uvTransform;
+void main() {
+	vUv = ( uvTransform * vec3( uv, 1 ) ).xy;
+	gl_Position = vec4( position.xy, 1.0, 1.0 );
+}`,A0=`uniform sampler2D t2D;
+uniform float backgroundIntensity;
+varying vec2 vUv;
+void main() {
+	vec4 texColor = texture2D( t2D, vUv );
+	#ifdef DECODE_VIDEO_TEXTURE
+		texColor = vec4( mix( pow( texColor.rgb * 0.9478672986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), texColor.rgb * 0.0773993808, vec3( lessThanEqual( texColor.rgb, vec3( 0.04045 ) ) ) ), texColor.w );
+	#endif
+	texColor.rgb *= backgroundIntensity;
+	gl_FragColor = texColor;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,T0=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+	gl_Position.z = gl_Position.w;
+}`,E0=`uniform float backgroundBlurriness;
+uniform float backgroundIntensity;
+uniform mat3 backgroundRotation;
+varying vec3 vWorldDirection;
+#include <envmap_common_pars_fragment>
+void main() {
+	#ifdef ENVMAP_TYPE_PMREM
+		vec4 texColor = textureLod( envMap, backgroundRotation * vWorldDirection, roughnessToMip( backgroundBlurriness ) );
+	#else
+		vec4 texColor = textureCube( envMap, backgroundRotation * vWorldDirection );
+	#endif
+	texColor.rgb *= backgroundIntensity;
+	gl_FragColor = texColor;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,C0=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+	gl_Position.z = gl_Position.w;
+}`,R0=`uniform samplerCube tCube;
+uniform float tFlip;
+uniform float opacity;
+varying vec3 vWorldDirection;
+void main() {
+	vec4 texColor = textureCube( tCube, vec3( tFlip * vWorldDirection.x, vWorldDirection.yz ) );
+	gl_FragColor = texColor;
+	gl_FragColor.a *= opacity;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,P0=`#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+varying vec2 vHighPrecisionZW;
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <skinbase_vertex>
+	#include <morphinstance_vertex>
+	#ifdef USE_DISPLACEMENTMAP
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vHighPrecisionZW = gl_Position.zw;
+}`,I0=`#if DEPTH_PACKING == 3200
+	uniform float opacity;
+#endif
+#include <common>
+#include <packing>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+varying vec2 vHighPrecisionZW;
+void main() {
+	vec4 diffuseColor = vec4( 1.0 );
+	#include <clipping_planes_fragment>
+	#if DEPTH_PACKING == 3200
+		diffuseColor.a = opacity;
+	#endif
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <logdepthbuf_fragment>
+	#ifdef USE_REVERSED_DEPTH_BUFFER
+		float fragCoordZ = vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ];
+	#else
+		float fragCoordZ = 0.5 * vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ] + 0.5;
+	#endif
+	#if DEPTH_PACKING == 3200
+		gl_FragColor = vec4( vec3( 1.0 - fragCoordZ ), opacity );
+	#elif DEPTH_PACKING == 3201
+		gl_FragColor = packDepthToRGBA( fragCoordZ );
+	#elif DEPTH_PACKING == 3202
+		gl_FragColor = vec4( packDepthToRGB( fragCoordZ ), 1.0 );
+	#elif DEPTH_PACKING == 3203
+		gl_FragColor = vec4( packDepthToRG( fragCoordZ ), 0.0, 1.0 );
+	#endif
+}`,L0=`#define DISTANCE
+varying vec3 vWorldPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <skinbase_vertex>
+	#include <morphinstance_vertex>
+	#ifdef USE_DISPLACEMENTMAP
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <worldpos_vertex>
+	#include <clipping_planes_vertex>
+	vWorldPosition = worldPosition.xyz;
+}`,N0=`#define DISTANCE
+uniform vec3 referencePosition;
+uniform float nearDistance;
+uniform float farDistance;
+varying vec3 vWorldPosition;
+#include <common>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( 1.0 );
+	#include <clipping_planes_fragment>
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	float dist = length( vWorldPosition - referencePosition );
+	dist = ( dist - nearDistance ) / ( farDistance - nearDistance );
+	dist = saturate( dist );
+	gl_FragColor = vec4( dist, 0.0, 0.0, 1.0 );
+}`,D0=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+}`,F0=`uniform sampler2D tEquirect;
+varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vec3 direction = normalize( vWorldDirection );
+	vec2 sampleUV = equirectUv( direction );
+	gl_FragColor = texture2D( tEquirect, sampleUV );
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,U0=`uniform float scale;
+attribute float lineDistance;
+varying float vLineDistance;
+#include <common>
+#include <uv_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	vLineDistance = scale * lineDistance;
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+}`,O0=`uniform vec3 diffuse;
+uniform float opacity;
+uniform float dashSize;
+uniform float totalSize;
+varying float vLineDistance;
+#include <common>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	if ( mod( vLineDistance, totalSize ) > dashSize ) {
+		discard;
+	}
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,k0=`#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#if defined ( USE_ENVMAP ) || defined ( USE_SKINNING )
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinbase_vertex>
+		#include <skinnormal_vertex>
+		#include <defaultnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <fog_vertex>
+}`,B0=`uniform vec3 diffuse;
+uniform float opacity;
+#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+#endif
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <fog_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	#ifdef USE_LIGHTMAP
+		vec4 lightMapTexel = texture2D( lightMap, vLightMapUv );
+		reflectedLight.indirectDiffuse += lightMapTexel.rgb * lightMapIntensity * RECIPROCAL_PI;
+	#else
+		reflectedLight.indirectDiffuse += vec3( 1.0 );
+	#endif
+	#include <aomap_fragment>
+	reflectedLight.indirectDiffuse *= diffuseColor.rgb;
+	vec3 outgoingLight = reflectedLight.indirectDiffuse;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,z0=`#define LAMBERT
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,V0=`#define LAMBERT
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float opacity;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <envmap_physical_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_lambert_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_lambert_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + totalEmissiveRadiance;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,H0=`#define MATCAP
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <color_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+	vViewPosition = - mvPosition.xyz;
+}`,G0=`#define MATCAP
+uniform vec3 diffuse;
+uniform float opacity;
+uniform sampler2D matcap;
+varying vec3 vViewPosition;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <normal_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	vec3 viewDir = normalize( vViewPosition );
+	vec3 x = normalize( vec3( viewDir.z, 0.0, - viewDir.x ) );
+	vec3 y = cross( viewDir, x );
+	vec2 uv = vec2( dot( x, normal ), dot( y, normal ) ) * 0.495 + 0.5;
+	#ifdef USE_MATCAP
+		vec4 matcapColor = texture2D( matcap, uv );
+	#else
+		vec4 matcapColor = vec4( vec3( mix( 0.2, 0.8, uv.y ) ), 1.0 );
+	#endif
+	vec3 outgoingLight = diffuseColor.rgb * matcapColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,W0=`#define NORMAL
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	varying vec3 vViewPosition;
+#endif
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	vViewPosition = - mvPosition.xyz;
+#endif
+}`,X0=`#define NORMAL
+uniform float opacity;
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	varying vec3 vViewPosition;
+#endif
+#include <uv_pars_fragment>
+#include <normal_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( 0.0, 0.0, 0.0, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	gl_FragColor = vec4( normalize( normal ) * 0.5 + 0.5, diffuseColor.a );
+	#ifdef OPAQUE
+		gl_FragColor.a = 1.0;
+	#endif
+}`,q0=`#define PHONG
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,$0=`#define PHONG
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform vec3 specular;
+uniform float shininess;
+uniform float opacity;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <envmap_physical_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_phong_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_phong_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + reflectedLight.directSpecular + reflectedLight.indirectSpecular + totalEmissiveRadiance;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,Y0=`#define STANDARD
+varying vec3 vViewPosition;
+#ifdef USE_TRANSMISSION
+	varying vec3 vWorldPosition;
+#endif
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+#ifdef USE_TRANSMISSION
+	vWorldPosition = worldPosition.xyz;
+#endif
+}`,J0=`#define STANDARD
+#ifdef PHYSICAL
+	#define IOR
+	#define USE_SPECULAR
+#endif
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float roughness;
+uniform float metalness;
+uniform float opacity;
+#ifdef IOR
+	uniform float ior;
+#endif
+#ifdef USE_SPECULAR
+	uniform float specularIntensity;
+	uniform vec3 specularColor;
+	#ifdef USE_SPECULAR_COLORMAP
+		uniform sampler2D specularColorMap;
+	#endif
+	#ifdef USE_SPECULAR_INTENSITYMAP
+		uniform sampler2D specularIntensityMap;
+	#endif
+#endif
+#ifdef USE_CLEARCOAT
+	uniform float clearcoat;
+	uniform float clearcoatRoughness;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESS
+	uniform float diffuseRoughness;
+	#ifdef USE_DIFFUSE_ROUGHNESSMAP
+		uniform sampler2D diffuseRoughnessMap;
+	#endif
+#endif
+#ifdef USE_DISPERSION
+	uniform float dispersion;
+#endif
+#ifdef USE_RETROREFLECTION
+	uniform float retroreflectivity;
+#endif
+#ifdef USE_IRIDESCENCE
+	uniform float iridescence;
+	uniform float iridescenceIOR;
+	uniform float iridescenceThicknessMinimum;
+	uniform float iridescenceThicknessMaximum;
+#endif
+#ifdef USE_SHEEN
+	uniform vec3 sheenColor;
+	uniform float sheenRoughness;
+	#ifdef USE_SHEEN_COLORMAP
+		uniform sampler2D sheenColorMap;
+	#endif
+	#ifdef USE_SHEEN_ROUGHNESSMAP
+		uniform sampler2D sheenRoughnessMap;
+	#endif
+#endif
+#ifdef USE_ANISOTROPY
+	uniform vec2 anisotropyVector;
+	#ifdef USE_ANISOTROPYMAP
+		uniform sampler2D anisotropyMap;
+	#endif
+#endif
+varying vec3 vViewPosition;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <iridescence_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_physical_pars_fragment>
+#include <fog_pars_fragment>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_physical_pars_fragment>
+#include <transmission_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <clearcoat_pars_fragment>
+#include <iridescence_pars_fragment>
+#include <roughnessmap_pars_fragment>
+#include <metalnessmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <roughnessmap_fragment>
+	#include <metalnessmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <clearcoat_normal_fragment_begin>
+	#include <clearcoat_normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_physical_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 totalDiffuse = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse;
+	vec3 totalSpecular = reflectedLight.directSpecular + reflectedLight.indirectSpecular;
+	#include <transmission_fragment>
+	vec3 outgoingLight = totalDiffuse + totalSpecular + totalEmissiveRadiance;
+	#ifdef USE_SHEEN
+ 
+		outgoingLight = outgoingLight + sheenSpecularDirect + sheenSpecularIndirect;
+ 
+ 	#endif
+	#ifdef USE_CLEARCOAT
+		float dotNVcc = saturate( dot( geometryClearcoatNormal, geometryViewDir ) );
+		vec3 Fcc = F_Schlick( material.clearcoatF0, material.clearcoatF90, dotNVcc );
+		outgoingLight = outgoingLight * ( 1.0 - material.clearcoat * Fcc ) + ( clearcoatSpecularDirect + clearcoatSpecularIndirect ) * material.clearcoat;
+	#endif
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,Z0=`#define TOON
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,K0=`#define TOON
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float opacity;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <gradientmap_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_toon_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_toon_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + totalEmissiveRadiance;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,j0=`uniform float size;
+uniform float scale;
+#include <common>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+#ifdef USE_POINTS_UV
+	varying vec2 vUv;
+	uniform mat3 uvTransform;
+#endif
+void main() {
+	#ifdef USE_POINTS_UV
+		vUv = ( uvTransform * vec3( uv, 1 ) ).xy;
+	#endif
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <project_vertex>
+	gl_PointSize = size;
+	#ifdef USE_SIZEATTENUATION
+		bool isPerspective = isPerspectiveMatrix( projectionMatrix );
+		if ( isPerspective ) gl_PointSize *= ( scale / - mvPosition.z );
+	#endif
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <worldpos_vertex>
+	#include <fog_vertex>
+}`,Q0=`uniform vec3 diffuse;
+uniform float opacity;
+#include <common>
+#include <color_pars_fragment>
+#include <map_particle_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_particle_fragment>
+	#include <color_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,ex=`#include <common>
+#include <batching_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <shadowmap_pars_vertex>
+void main() {
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,tx=`uniform vec3 color;
+uniform float opacity;
+#include <common>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <logdepthbuf_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <shadowmask_pars_fragment>
+void main() {
+	#include <logdepthbuf_fragment>
+	gl_FragColor = vec4( color, opacity * ( 1.0 - getShadowMask() ) );
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,nx=`uniform float rotation;
+uniform vec2 center;
+#include <common>
+#include <uv_pars_vertex>
+#include <fog_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	vec4 mvPosition = modelViewMatrix[ 3 ];
+	vec2 scale = vec2( length( modelMatrix[ 0 ].xyz ), length( modelMatrix[ 1 ].xyz ) );
+	#ifndef USE_SIZEATTENUATION
+		bool isPerspective = isPerspectiveMatrix( projectionMatrix );
+		if ( isPerspective ) scale *= - mvPosition.z;
+	#endif
+	vec2 alignedPosition = ( position.xy - ( center - vec2( 0.5 ) ) ) * scale;
+	vec2 rotatedPosition;
+	rotatedPosition.x = cos( rotation ) * alignedPosition.x - sin( rotation ) * alignedPosition.y;
+	rotatedPosition.y = sin( rotation ) * alignedPosition.x + cos( rotation ) * alignedPosition.y;
+	mvPosition.xy += rotatedPosition;
+	gl_Position = projectionMatrix * mvPosition;
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+}`,ix=`uniform vec3 diffuse;
+uniform float opacity;
+#include <common>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+}`,ze={alphahash_fragment:Am,alphahash_pars_fragment:Tm,alphamap_fragment:Em,alphamap_pars_fragment:Cm,alphatest_fragment:Rm,alphatest_pars_fragment:Pm,aomap_fragment:Im,aomap_pars_fragment:Lm,batching_pars_vertex:Nm,batching_vertex:Dm,begin_vertex:Fm,beginnormal_vertex:Um,bsdfs:Om,iridescence_fragment:km,bumpmap_pars_fragment:Bm,clipping_planes_fragment:zm,clipping_planes_pars_fragment:Vm,clipping_planes_pars_vertex:Hm,clipping_planes_vertex:Gm,color_fragment:Wm,color_pars_fragment:Xm,color_pars_vertex:qm,color_vertex:$m,common:Ym,defaultnormal_vertex:Jm,displacementmap_pars_vertex:Zm,displacementmap_vertex:Km,emissivemap_fragment:jm,emissivemap_pars_fragment:Qm,colorspace_fragment:eg,colorspace_pars_fragment:tg,envmap_fragment:ng,envmap_common_pars_fragment:ig,envmap_pars_fragment:sg,envmap_pars_vertex:rg,envmap_physical_pars_fragment:gg,envmap_vertex:ag,fog_vertex:og,fog_pars_vertex:lg,fog_fragment:cg,fog_pars_fragment:hg,gradientmap_pars_fragment:ug,lightmap_pars_fragment:dg,lights_lambert_fragment:fg,lights_lambert_pars_fragment:pg,lights_pars_begin:mg,lights_toon_fragment:xg,lights_toon_pars_fragment:yg,lights_phong_fragment:vg,lights_phong_pars_fragment:_g,lights_physical_fragment:bg,lights_physical_pars_fragment:Sg,lights_fragment_begin:Mg,lights_fragment_maps:wg,lights_fragment_end:Ag,lightprobes_pars_fragment:Tg,logdepthbuf_fragment:Eg,logdepthbuf_pars_fragment:Cg,logdepthbuf_pars_vertex:Rg,logdepthbuf_vertex:Pg,map_fragment:Ig,map_pars_fragment:Lg,map_particle_fragment:Ng,map_particle_pars_fragment:Dg,metalnessmap_fragment:Fg,metalnessmap_pars_fragment:Ug,morphinstance_vertex:Og,morphcolor_vertex:kg,morphnormal_vertex:Bg,morphtarget_pars_vertex:zg,morphtarget_vertex:Vg,normal_fragment_begin:Hg,normal_fragment_maps:Gg,normal_pars_fragment:Wg,normal_pars_vertex:Xg,normal_vertex:qg,normalmap_pars_fragment:$g,clearcoat_normal_fragment_begin:Yg,clearcoat_normal_fragment_maps:Jg,clearcoat_pars_fragment:Zg,iridescence_pars_fragment:Kg,opaque_fragment:jg,packing:Qg,premultiplied_alpha_fragment:e0,project_vertex:t0,dithering_fragment:n0,dithering_pars_fragment:i0,roughnessmap_fragment:s0,roughnessmap_pars_fragment:r0,shadowmap_pars_fragment:a0,shadowmap_pars_vertex:o0,shadowmap_vertex:l0,shadowmask_pars_fragment:c0,skinbase_vertex:h0,skinning_pars_vertex:u0,skinning_vertex:d0,skinnormal_vertex:f0,specularmap_fragment:p0,specularmap_pars_fragment:m0,tonemapping_fragment:g0,tonemapping_pars_fragment:x0,transmission_fragment:y0,transmission_pars_fragment:v0,uv_pars_fragment:_0,uv_pars_vertex:b0,uv_vertex:S0,worldpos_vertex:M0,background_vert:w0,background_frag:A0,backgroundCube_vert:T0,backgroundCube_frag:E0,cube_vert:C0,cube_frag:R0,depth_vert:P0,depth_frag:I0,distance_vert:L0,distance_frag:N0,equirect_vert:D0,equirect_frag:F0,linedashed_vert:U0,linedashed_frag:O0,meshbasic_vert:k0,meshbasic_frag:B0,meshlambert_vert:z0,meshlambert_frag:V0,meshmatcap_vert:H0,meshmatcap_frag:G0,meshnormal_vert:W0,meshnormal_frag:X0,meshphong_vert:q0,meshphong_frag:$0,meshphysical_vert:Y0,meshphysical_frag:J0,meshtoon_vert:Z0,meshtoon_frag:K0,points_vert:j0,points_frag:Q0,shadow_vert:ex,shadow_frag:tx,sprite_vert:nx,sprite_frag:ix},xe={common:{diffuse:{value:new Be(16777215)},opacity:{value:1},map:{value:null},mapTransform:{value:new De},alphaMap:{value:null},alphaMapTransform:{value:new De},alphaTest:{value:0}},specularmap:{specularMap:{value:null},specularMapTransform:{value:new De}},envmap:{envMap:{value:null},envMapRotation:{value:new De},reflectivity:{value:1},ior:{value:1.5},refractionRatio:{value:.98},dfgLUT:{value:null}},aomap:{aoMap:{value:null},aoMapIntensity:{value:1},aoMapTransform:{value:new De}},lightmap:{lightMap:{value:null},lightMapIntensity:{value:1},lightMapTransform:{value:new De}},bumpmap:{bumpMap:{value:null},bumpMapTransform:{value:new De},bumpScale:{value:1}},normalmap:{normalMap:{value:null},normalMapTransform:{value:new De},normalScale:{value:new Ve(1,1)}},displacementmap:{displacementMap:{value:null},displacementMapTransform:{value:new De},displacementScale:{value:1},displacementBias:{value:0}},emissivemap:{emissiveMap:{value:null},emissiveMapTransform:{value:new De}},metalnessmap:{metalnessMap:{value:null},metalnessMapTransform:{value:new De}},roughnessmap:{roughnessMap:{value:null},roughnessMapTransform:{value:new De}},gradientmap:{gradientMap:{value:null}},fog:{fogDensity:{value:25e-5},fogNear:{value:1},fogFar:{value:2e3},fogColor:{value:new Be(16777215)}},lights:{ambientLightColor:{value:[]},lightProbe:{value:[]},sunLights:{value:[],properties:{direction:{},color:{}}},sunLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},sunShadowMatrix:{value:[]},sunShadowCascade:{value:[]},directionalLights:{value:[],properties:{direction:{},color:{}}},directionalLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},directionalShadowMatrix:{value:[]},spotLights:{value:[],properties:{color:{},position:{},direction:{},distance:{},coneCos:{},penumbraCos:{},decay:{}}},spotLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},spotLightMap:{value:[]},spotLightMatrix:{value:[]},pointLights:{value:[],properties:{color:{},position:{},decay:{},distance:{}}},pointLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{},shadowCameraNear:{},shadowCameraFar:{}}},pointShadowMatrix:{value:[]},hemisphereLights:{value:[],properties:{direction:{},skyColor:{},groundColor:{}}},rectAreaLights:{value:[],properties:{color:{},position:{},width:{},height:{}}},ltc_1:{value:null},ltc_2:{value:null},probesSH:{value:[]},probesMin:{value:[]},probesMax:{value:[]},probesResolution:{value:[]}},points:{diffuse:{value:new Be(16777215)},opacity:{value:1},size:{value:1},scale:{value:1},map:{value:null},alphaMap:{value:null},alphaMapTransform:{value:new De},alphaTest:{value:0},uvTransform:{value:new De}},sprite:{diffuse:{value:new Be(16777215)},opacity:{value:1},center:{value:new Ve(.5,.5)},rotation:{value:0},map:{value:null},mapTransform:{value:new De},alphaMap:{value:null},alphaMapTransform:{value:new De},alphaTest:{value:0}}},qn={basic:{uniforms:Ht([xe.common,xe.specularmap,xe.envmap,xe.aomap,xe.lightmap,xe.fog]),vertexShader:ze.meshbasic_vert,fragmentShader:ze.meshbasic_frag},lambert:{uniforms:Ht([xe.common,xe.specularmap,xe.envmap,xe.aomap,xe.lightmap,xe.emissivemap,xe.bumpmap,xe.normalmap,xe.displacementmap,xe.fog,xe.lights,{emissive:{value:new Be(0)},envMapIntensity:{value:1}}]),vertexShader:ze.meshlambert_vert,fragmentShader:ze.meshlambert_frag},phong:{uniforms:Ht([xe.common,xe.specularmap,xe.envmap,xe.aomap,xe.lightmap,xe.emissivemap,xe.bumpmap,xe.normalmap,xe.displacementmap,xe.fog,xe.lights,{emissive:{value:new Be(0)},specular:{value:new Be(1118481)},shininess:{value:30},envMapIntensity:{value:1}}]),vertexShader:ze.meshphong_vert,fragmentShader:ze.meshphong_frag},standard:{uniforms:Ht([xe.common,xe.envmap,xe.aomap,xe.lightmap,xe.emissivemap,xe.bumpmap,xe.normalmap,xe.displacementmap,xe.roughnessmap,xe.metalnessmap,xe.fog,xe.lights,{emissive:{value:new Be(0)},roughness:{value:1},metalness:{value:0},envMapIntensity:{value:1}}]),vertexShader:ze.meshphysical_vert,fragmentShader:ze.meshphysical_frag},toon:{uniforms:Ht([xe.common,xe.aomap,xe.lightmap,xe.emissivemap,xe.bumpmap,xe.normalmap,xe.displacementmap,xe.gradientmap,xe.fog,xe.lights,{emissive:{value:new Be(0)}}]),vertexShader:ze.meshtoon_vert,fragmentShader:ze.meshtoon_frag},matcap:{uniforms:Ht([xe.common,xe.bumpmap,xe.normalmap,xe.displacementmap,xe.fog,{matcap:{value:null}}]),vertexShader:ze.meshmatcap_vert,fragmentShader:ze.meshmatcap_frag},points:{uniforms:Ht([xe.points,xe.fog]),vertexShader:ze.points_vert,fragmentShader:ze.points_frag},dashed:{uniforms:Ht([xe.common,xe.fog,{scale:{value:1},dashSize:{value:1},totalSize:{value:2}}]),vertexShader:ze.linedashed_vert,fragmentShader:ze.linedashed_frag},depth:{uniforms:Ht([xe.common,xe.displacementmap]),vertexShader:ze.depth_vert,fragmentShader:ze.depth_frag},normal:{uniforms:Ht([xe.common,xe.bumpmap,xe.normalmap,xe.displacementmap,{opacity:{value:1}}]),vertexShader:ze.meshnormal_vert,fragmentShader:ze.meshnormal_frag},sprite:{uniforms:Ht([xe.sprite,xe.fog]),vertexShader:ze.sprite_vert,fragmentShader:ze.sprite_frag},background:{uniforms:{uvTransform:{value:new De},t2D:{value:null},backgroundIntensity:{value:1}},vertexShader:ze.background_vert,fragmentShader:ze.background_frag},backgroundCube:{uniforms:{envMap:{value:null},backgroundBlurriness:{value:0},backgroundIntensity:{value:1},backgroundRotation:{value:new De}},vertexShader:ze.backgroundCube_vert,fragmentShader:ze.backgroundCube_frag},cube:{uniforms:{tCube:{value:null},tFlip:{value:-1},opacity:{value:1}},vertexShader:ze.cube_vert,fragmentShader:ze.cube_frag},equirect:{uniforms:{tEquirect:{value:null}},vertexShader:ze.equirect_vert,fragmentShader:ze.equirect_frag},distance:{uniforms:Ht([xe.common,xe.displacementmap,{referencePosition:{value:new O},nearDistance:{value:1},farDistance:{value:1e3}}]),vertexShader:ze.distance_vert,fragmentShader:ze.distance_frag},shadow:{uniforms:Ht([xe.lights,xe.fog,{color:{value:new Be(0)},opacity:{value:1}}]),vertexShader:ze.shadow_vert,fragmentShader:ze.shadow_frag}};qn.physical={uniforms:Ht([qn.standard.uniforms,{clearcoat:{value:0},clearcoatMap:{value:null},clearcoatMapTransform:{value:new De},clearcoatNormalMap:{value:null},clearcoatNormalMapTransform:{value:new De},clearcoatNormalScale:{value:new Ve(1,1)},clearcoatRoughness:{value:0},clearcoatRoughnessMap:{value:null},clearcoatRoughnessMapTransform:{value:new De},diffuseRoughness:{value:0},diffuseRoughnessMap:{value:null},diffuseRoughnessMapTransform:{value:new De},dispersion:{value:0},retroreflectivity:{value:0},iridescence:{value:0},iridescenceMap:{value:null},iridescenceMapTransform:{value:new De},iridescenceIOR:{value:1.3},iridescenceThicknessMinimum:{value:100},iridescenceThicknessMaximum:{value:400},iridescenceThicknessMap:{value:null},iridescenceThicknessMapTransform:{value:new De},sheen:{value:0},sheenColor:{value:new Be(0)},sheenColorMap:{value:null},sheenColorMapTransform:{value:new De},sheenRoughness:{value:1},sheenRoughnessMap:{value:null},sheenRoughnessMapTransform:{value:new De},transmission:{value:0},transmissionMap:{value:null},transmissionMapTransform:{value:new De},transmissionSamplerSize:{value:new Ve},transmissionSamplerMap:{value:null},thickness:{value:0},thicknessMap:{value:null},thicknessMapTransform:{value:new De},attenuationDistance:{value:0},attenuationColor:{value:new Be(0)},specularColor:{value:new Be(1,1,1)},specularColorMap:{value:null},specularColorMapTransform:{value:new De},specularIntensity:{value:1},specularIntensityMap:{value:null},specularIntensityMapTransform:{value:new De},anisotropyVector:{value:new Ve},anisotropyMap:{value:null},anisotropyMapTransform:{value:new De}}]),vertexShader:ze.meshphysical_vert,fragmentShader:ze.meshphysical_frag};var hl={r:0,b:0,g:0},sx=new rt,Ff=new De;Ff.set(-1,0,0,0,1,0,0,0,1);function rx(i,e,t,n,s,r){let a=new Be(0),o=s===!0?0:1,l,c,h=null,f=0,d=null;function u(_){let E=_.isScene===!0?_.background:null;if(E&&E.isTexture){let M=_.backgroundBlurriness>0;E=e.get(E,M)}return E}function p(_){let E=!1,M=u(_);M===null?g(a,o):M&&M.isColor&&(g(M,1),E=!0);let A=i.xr.getEnvironmentBlendMode();A==="additive"?t.buffers.color.setClear(0,0,0,1,r):A==="alpha-blend"&&t.buffers.color.setClear(0,0,0,0,r),(i.autoClear||E)&&(t.buffers.depth.setTest(!0),t.buffers.depth.setMask(!0),t.buffers.color.setMask(!0),i.clear(i.autoClearColor,i.autoClearDepth,i.autoClearStencil))}function v(_,E){let M=u(E);M&&M.isCubeTexture?(c===void 0&&(c=new en(new Ls(1,1,1),new qt({name:"BackgroundCubeMaterial",uniforms:ns(qn.backgroundCube.uniforms),vertexShader:qn.backgroundCube.vertexShader,fragmentShader:qn.backgroundCube.fragmentShader,side:$t,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),c.geometry.deleteAttribute("normal"),c.geometry.deleteAttribute("uv"),c.onBeforeRender=function(A,w,x){this.matrixWorld.copyPosition(x.matrixWorld)},Object.defineProperty(c.material,"envMap",{get:function(){return this.uniforms.envMap.value}}),n.update(c)),c.material.uniforms.envMap.value=M,c.material.uniforms.backgroundBlurriness.value=E.backgroundBlurriness,c.material.uniforms.backgroundIntensity.value=E.backgroundIntensity,c.material.uniforms.backgroundRotation.value.setFromMatrix4(sx.makeRotationFromEuler(E.backgroundRotation)).transpose(),M.isRenderTargetTexture===!1&&c.material.uniforms.backgroundRotation.value.premultiply(Ff),c.material.toneMapped=Xe.getTransfer(M.colorSpace)!==Ze,(h!==M||f!==M.version||d!==i.toneMapping)&&(c.material.needsUpdate=!0,h=M,f=M.version,d=i.toneMapping),c.layers.enableAll(),_.unshift(c,c.geometry,c.material,0,0,null)):M&&M.isTexture&&(l===void 0&&(l=new en(new Lr(2,2),new qt({name:"BackgroundMaterial",uniforms:ns(qn.background.uniforms),vertexShader:qn.background.vertexShader,fragmentShader:qn.background.fragmentShader,side:Pi,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),l.geometry.deleteAttribute("normal"),Object.defineProperty(l.material,"map",{get:function(){return this.uniforms.t2D.value}}),n.update(l)),l.material.uniforms.t2D.value=M,l.material.uniforms.backgroundIntensity.value=E.backgroundIntensity,l.material.toneMapped=Xe.getTransfer(M.colorSpace)!==Ze,M.matrixAutoUpdate===!0&&M.updateMatrix(),l.material.uniforms.uvTransform.value.copy(M.matrix),(h!==M||f!==M.version||d!==i.toneMapping)&&(l.material.needsUpdate=!0,h=M,f=M.version,d=i.toneMapping),l.layers.enableAll(),_.unshift(l,l.geometry,l.material,0,0,null))}function g(_,E){_.getRGB(hl,th(i)),t.buffers.color.setClear(hl.r,hl.g,hl.b,E,r)}function m(){c!==void 0&&(c.geometry.dispose(),c.material.dispose(),c=void 0),l!==void 0&&(l.geometry.dispose(),l.material.dispose(),l=void 0)}return{getClearColor:function(){return a},setClearColor:function(_,E=1){a.set(_),o=E,g(a,o)},getClearAlpha:function(){return o},setClearAlpha:function(_){o=_,g(a,o)},render:p,addToRenderList:v,dispose:m}}function ax(i,e){let t=i.getParameter(i.MAX_VERTEX_ATTRIBS),n={},s=d(null),r=s,a=!1;function o(N,B,q,I,G){let X=!1,z=f(N,I,q,B);r!==z&&(r=z,c(r.object)),X=u(N,I,q,G),X&&p(N,I,q,G),G!==null&&e.update(G,i.ELEMENT_ARRAY_BUFFER),(X||a)&&(a=!1,M(N,B,q,I),G!==null&&i.bindBuffer(i.ELEMENT_ARRAY_BUFFER,e.get(G).buffer))}function l(){return i.createVertexArray()}function c(N){return i.bindVertexArray(N)}function h(N){return i.deleteVertexArray(N)}function f(N,B,q,I){let G=I.wireframe===!0,X=n[B.id];X===void 0&&(X={},n[B.id]=X);let z=N.isInstancedMesh===!0?N.id:0,ee=X[z];ee===void 0&&(ee={},X[z]=ee);let H=ee[q.id];H===void 0&&(H={},ee[q.id]=H);let K=H[G];return K===void 0&&(K=d(l()),H[G]=K),K}function d(N){let B=[],q=[],I=[];for(let G=0;G<t;G++)B[G]=0,q[G]=0,I[G]=0;return{geometry:null,program:null,wireframe:!1,newAttributes:B,enabledAttributes:q,attributeDivisors:I,object:N,attributes:{},index:null}}function u(N,B,q,I){let G=r.attributes,X=B.attributes,z=0,ee=q.getAttributes();for(let H in ee)if(ee[H].location>=0){let te=G[H],ve=X[H];if(ve===void 0&&(H==="instanceMatrix"&&N.instanceMatrix&&(ve=N.instanceMatrix),H==="instanceColor"&&N.instanceColor&&(ve=N.instanceColor)),te===void 0||te.attribute!==ve||ve&&te.data!==ve.data)return!0;z++}return r.attributesNum!==z||r.index!==I}function p(N,B,q,I){let G={},X=B.attributes,z=0,ee=q.getAttributes();for(let H in ee)if(ee[H].location>=0){let te=X[H];te===void 0&&(H==="instanceMatrix"&&N.instanceMatrix&&(te=N.instanceMatrix),H==="instanceColor"&&N.instanceColor&&(te=N.instanceColor));let ve={};ve.attribute=te,te&&te.data&&(ve.data=te.data),G[H]=ve,z++}r.attributes=G,r.attributesNum=z,r.index=I}function v(){let N=r.newAttributes;for(let B=0,q=N.length;B<q;B++)N[B]=0}function g(N){m(N,0)}function m(N,B){let q=r.newAttributes,I=r.enabledAttributes,G=r.attributeDivisors;q[N]=1,I[N]===0&&(i.enableVertexAttribArray(N),I[N]=1),G[N]!==B&&(i.vertexAttribDivisor(N,B),G[N]=B)}function _(){let N=r.newAttributes,B=r.enabledAttributes;for(let q=0,I=B.length;q<I;q++)B[q]!==N[q]&&(i.disableVertexAttribArray(q),B[q]=0)}function E(N,B,q,I,G,X,z){z===!0?i.vertexAttribIPointer(N,B,q,G,X):i.vertexAttribPointer(N,B,q,I,G,X)}function M(N,B,q,I){v();let G=I.attributes,X=q.getAttributes(),z=B.defaultAttributeValues;for(let ee in X){let H=X[ee];if(H.location>=0){let K=G[ee];if(K===void 0&&(ee==="instanceMatrix"&&N.instanceMatrix&&(K=N.instanceMatrix),ee==="instanceColor"&&N.instanceColor&&(K=N.instanceColor)),K!==void 0){let te=K.normalized,ve=K.itemSize,Ae=e.get(K);if(Ae===void 0)continue;let $=Ae.buffer,se=Ae.type,pe=Ae.bytesPerElement,Te=se===i.INT||se===i.UNSIGNED_INT||K.gpuType===Eo;if(K.isInterleavedBufferAttribute){let me=K.data,Ie=me.isInterleavedBuffer===!0?me.stride:me.itemSize,at=K.offset;if(me.isInstancedInterleavedBuffer||me.isInstancedBufferAttribute){for(let Ce=0;Ce<H.locationSize;Ce++)m(H.location+Ce,me.meshPerAttribute);N.isInstancedMesh!==!0&&I._maxInstanceCount===void 0&&(I._maxInstanceCount=me.meshPerAttribute*me.count)}else for(let Ce=0;Ce<H.locationSize;Ce++)g(H.location+Ce);i.bindBuffer(i.ARRAY_BUFFER,$);for(let Ce=0;Ce<H.locationSize;Ce++)E(H.location+Ce,ve/H.locationSize,se,te,Ie*pe,(at+ve/H.locationSize*Ce)*pe,Te)}else{if(K.isInstancedBufferAttribute){for(let me=0;me<H.locationSize;me++)m(H.location+me,K.meshPerAttribute);N.isInstancedMesh!==!0&&I._maxInstanceCount===void 0&&(I._maxInstanceCount=K.meshPerAttribute*K.count)}else for(let me=0;me<H.locationSize;me++)g(H.location+me);i.bindBuffer(i.ARRAY_BUFFER,$);for(let me=0;me<H.locationSize;me++)E(H.location+me,ve/H.locationSize,se,te,ve*pe,ve/H.locationSize*me*pe,Te)}}else if(z!==void 0){let te=z[ee];if(te!==void 0)switch(te.length){case 2:i.vertexAttrib2fv(H.location,te);break;case 3:i.vertexAttrib3fv(H.location,te);break;case 4:i.vertexAttrib4fv(H.location,te);break;default:i.vertexAttrib1fv(H.location,te)}}}}_()}function A(){F();for(let N in n){let B=n[N];for(let q in B){let I=B[q];for(let G in I){let X=I[G];for(let z in X)h(X[z].object),delete X[z];delete I[G]}}delete n[N]}}function w(N){if(n[N.id]===void 0)return;let B=n[N.id];for(let q in B){let I=B[q];for(let G in I){let X=I[G];for(let z in X)h(X[z].object),delete X[z];delete I[G]}}delete n[N.id]}function x(N){for(let B in n){let q=n[B];for(let I in q){let G=q[I];if(G[N.id]===void 0)continue;let X=G[N.id];for(let z in X)h(X[z].object),delete X[z];delete G[N.id]}}}function S(N){for(let B in n){let q=n[B],I=N.isInstancedMesh===!0?N.id:0,G=q[I];if(G!==void 0){for(let X in G){let z=G[X];for(let ee in z)h(z[ee].object),delete z[ee];delete G[X]}delete q[I],Object.keys(q).length===0&&delete n[B]}}}function F(){P(),a=!0,r!==s&&(r=s,c(r.object))}function P(){s.geometry=null,s.program=null,s.wireframe=!1}return{setup:o,reset:F,resetDefaultState:P,dispose:A,releaseStatesOfGeometry:w,releaseStatesOfObject:S,releaseStatesOfProgram:x,initAttributes:v,enableAttribute:g,disableUnusedAttributes:_}}function ox(i,e,t){let n;function s(l){n=l}function r(l,c){i.drawArrays(n,l,c),t.update(c,n,1)}function a(l,c,h){h!==0&&(i.drawArraysInstanced(n,l,c,h),t.update(c,n,h))}function o(l,c,h){if(h===0)return;e.get("WEBGL_multi_draw").multiDrawArraysWEBGL(n,l,0,c,0,h);let d=0;for(let u=0;u<h;u++)d+=c[u];t.update(d,n,1)}this.setMode=s,this.render=r,this.renderInstances=a,this.renderMultiDraw=o}function lx(i,e,t,n){let s;function r(){if(s!==void 0)return s;if(e.has("EXT_texture_filter_anisotropic")===!0){let x=e.get("EXT_texture_filter_anisotropic");s=i.getParameter(x.MAX_TEXTURE_MAX_ANISOTROPY_EXT)}else s=0;return s}function a(x){return!(x!==un&&n.convert(x)!==i.getParameter(i.IMPLEMENTATION_COLOR_READ_FORMAT))}function o(x){let S=x===Ln&&(e.has("EXT_color_buffer_half_float")||e.has("EXT_color_buffer_float"));return!(x!==Yt&&x!==hn&&!S&&n.convert(x)!==i.getParameter(i.IMPLEMENTATION_COLOR_READ_TYPE))}function l(x){if(x==="highp"){if(i.getShaderPrecisionFormat(i.VERTEX_SHADER,i.HIGH_FLOAT).precision>0&&i.getShaderPrecisionFormat(i.FRAGMENT_SHADER,i.HIGH_FLOAT).precision>0)return"highp";x="mediump"}return x==="mediump"&&i.getShaderPrecisionFormat(i.VERTEX_SHADER,i.MEDIUM_FLOAT).precision>0&&i.getShaderPrecisionFormat(i.FRAGMENT_SHADER,i.MEDIUM_FLOAT).precision>0?"mediump":"lowp"}let c=t.precision!==void 0?t.precision:"highp",h=l(c);h!==c&&(Pe("WebGLRenderer:",c,"not supported, using",h,"instead."),c=h);let f=t.reversedDepthBuffer===!0&&e.has("EXT_clip_control"),d=t.logarithmicDepthBuffer===!0&&f===!1;t.reversedDepthBuffer===!0&&f===!1&&Pe("WebGLRenderer: Unable to use reversed depth buffer due to missing EXT_clip_control extension. Fallback to default depth buffer."),t.logarithmicDepthBuffer===!0&&f===!0&&Pe("WebGLRenderer: Logarithmic depth buffer is ignored when reversed depth buffer is enabled.");let u=i.getParameter(i.MAX_TEXTURE_IMAGE_UNITS),p=i.getParameter(i.MAX_VERTEX_TEXTURE_IMAGE_UNITS),v=i.getParameter(i.MAX_TEXTURE_SIZE),g=i.getParameter(i.MAX_CUBE_MAP_TEXTURE_SIZE),m=i.getParameter(i.MAX_VERTEX_ATTRIBS),_=i.getParameter(i.MAX_VERTEX_UNIFORM_VECTORS),E=i.getParameter(i.MAX_VARYING_VECTORS),M=i.getParameter(i.MAX_FRAGMENT_UNIFORM_VECTORS),A=i.getParameter(i.MAX_SAMPLES),w=i.getParameter(i.SAMPLES);return{isWebGL2:!0,getMaxAnisotropy:r,getMaxPrecision:l,textureFormatReadable:a,textureTypeReadable:o,precision:c,logarithmicDepthBuffer:d,reversedDepthBuffer:f,maxTextures:u,maxVertexTextures:p,maxTextureSize:v,maxCubemapSize:g,maxAttributes:m,maxVertexUniforms:_,maxVaryings:E,maxFragmentUniforms:M,maxSamples:A,samples:w}}function cx(i){let e=this,t=null,n=0,s=!1,r=!1,a=new Pn,o=new De,l={value:null,needsUpdate:!1};this.uniform=l,this.numPlanes=0,this.numIntersection=0,this.init=function(f,d){let u=f.length!==0||d||n!==0||s;return s=d,n=f.length,u},this.beginShadows=function(){r=!0,h(null)},this.endShadows=function(){r=!1},this.setGlobalState=function(f,d){t=h(f,d,0)},this.setState=function(f,d,u){let p=f.clippingPlanes,v=f.clipIntersection,g=f.clipShadows,m=i.get(f);if(!s||p===null||p.length===0||r&&!g)r?h(null):c();else{let _=r?0:n,E=_*4,M=m.clippingState||null;l.value=M,M=h(p,d,E,u);for(let A=0;A!==E;++A)M[A]=t[A];m.clippingState=M,this.numIntersection=v?this.numPlanes:0,this.numPlanes+=_}};function c(){l.value!==t&&(l.value=t,l.needsUpdate=n>0),e.numPlanes=n,e.numIntersection=0}function h(f,d,u,p){let v=f!==null?f.length:0,g=null;if(v!==0){if(g=l.value,p!==!0||g===null){let m=u+v*4,_=d.matrixWorldInverse;o.getNormalMatrix(_),(g===null||g.length<m)&&(g=new Float32Array(m));for(let E=0,M=u;E!==v;++E,M+=4)a.copy(f[E]).applyMatrix4(_,o),a.normal.toArray(g,M),g[M+3]=a.constant}l.value=g,l.needsUpdate=!0}return e.numPlanes=v,e.numIntersection=0,g}}var Yr=class extends on{constructor(e=1,t={}){super(e,e,t),this.isWebGLCubeRenderTarget=!0;let n={width:e,height:e,depth:1},s=[n,n,n,n,n,n];this.texture=new Rr(s),this._setTextureOptions(t),this.texture.isRenderTargetTexture=!0}fromEquirectangularTexture(e,t){this.texture.type=t.type,this.texture.colorSpace=t.colorSpace,this.texture.generateMipmaps=t.generateMipmaps,this.texture.minFilter=t.minFilter,this.texture.magFilter=t.magFilter;let n={uniforms:{tEquirect:{value:null}},vertexShader:`
+
+				varying vec3 vWorldDirection;
+
+				vec3 transformDirection( in vec3 dir, in mat4 matrix ) {
+
+					return normalize( ( matrix * vec4( dir, 0.0 ) ).xyz );
+
+				}
+
+				void main() {
+
+					vWorldDirection = transformDirection( position, modelMatrix );
+
+					#include <begin_vertex>
+					#include <project_vertex>
+
+				}
+			`,fragmentShader:`
+
+				uniform sampler2D tEquirect;
+
+				varying vec3 vWorldDirection;
+
+				#include <common>
+
+				void main() {
+
+					vec3 direction = normalize( vWorldDirection );
+
+					vec2 sampleUV = equirectUv( direction );
+
+					gl_FragColor = texture2D( tEquirect, sampleUV );
+
+				}
+			`},s=new Ls(5,5,5),r=new qt({name:"CubemapFromEquirect",uniforms:ns(n.uniforms),vertexShader:n.vertexShader,fragmentShader:n.fragmentShader,side:$t,blending:Ki});r.uniforms.tEquirect.value=t;let a=new en(s,r),o=t.minFilter;return t.minFilter===hi&&(t.minFilter=Ut),new Ds(1,10,this).update(e,a),t.minFilter=o,a.geometry.dispose(),a.material.dispose(),this}clear(e,t=!0,n=!0,s=!0){let r=e.getRenderTarget();for(let a=0;a<6;a++)e.setRenderTarget(this,a),e.clear(t,n,s);e.setRenderTarget(r)}},ff=256,hx=3,ux=20,Uf=256,Of=16,dx=3,fx=new O,px=new Be,dl=class i{constructor(e){this._renderer=e,this._cubeSize=0,this._sourceTarget=null,this._cubeCamera=new Ds(1,10,null),this._boxMesh=new en(new Ls(5,5,5),null),this._cubemapMaterial=null,this._equirectMaterial=null,this._blurMaterial=null,this._ggxMaterial=null,this._integrationMaterial=null}fromScene(e,t=0,n=.1,s=100,r={}){let{size:a=256,position:o=fx}=r,l=this._renderer;this._setSize(a);let c=this._allocateTarget(),h=this._getSourceTarget(!0);t>0&&(h.texture.mipmapsAutoUpdate=!1);let f=l.autoClear,d=l.autoClearColor,u=l.autoClearDepth,p=l.autoClearStencil,v=e.background;l.autoClear=!0,l.autoClearColor=!0,l.autoClearDepth=!0,l.autoClearStencil=!0,v===null&&(e.background=l.getClearColor(px));let g=new Ds(n,s,h);return g.position.copy(o),g.update(l,e),l.autoClear=f,l.autoClearColor=d,l.autoClearDepth=u,l.autoClearStencil=p,e.background=v,t>0&&(h.texture.mipmapsAutoUpdate=!0,this._blur(c,t)),this._applyPMREM(c),c}fromEquirectangular(e,t=null){return this._fromTexture(e,t)}fromCubemap(e,t=null){return this._fromTexture(e,t)}compileCubemapShader(){this._cubemapMaterial===null&&(this._cubemapMaterial=gf(),this._compileMaterial(this._cubemapMaterial))}compileEquirectangularShader(){this._equirectMaterial===null&&(this._equirectMaterial=mf(),this._compileMaterial(this._equirectMaterial))}dispose(){this._sourceTarget!==null&&this._sourceTarget.dispose(),this._cubemapMaterial!==null&&this._cubemapMaterial.dispose(),this._equirectMaterial!==null&&this._equirectMaterial.dispose(),this._blurMaterial!==null&&this._blurMaterial.dispose(),this._ggxMaterial!==null&&this._ggxMaterial.dispose(),this._integrationMaterial!==null&&this._integrationMaterial.dispose(),this._boxMesh.geometry.dispose()}static lodToRoughness(e,t){return t>0?1-Math.sqrt(1-e/t):0}_setSize(e){this._cubeSize=Math.max(ff,af(e))}_fromTexture(e,t){e.mapping===Qi||e.mapping===Os?this._setSize(e.image.length===0?ff:e.image[0].width||e.image[0].image.width):this._setSize(e.image.width/4);let n=t||this._allocateTarget();return this._textureToCubemap(e),this._applyPMREM(n),n}_allocateTarget(){let e=this._cubeSize,t=pf(e,!1,!1),n=Math.log2(e)-hx;for(let s=0;s<=n;s++)t.texture.mipmaps.push({width:e>>s,height:e>>s});return t.texture.name="PMREM",t.texture.isPMREMTexture=!0,t}_getSourceTarget(e=!1){let t=this._cubeSize,n=this._sourceTarget;return(n===null||n.width!==t||e&&n.depthBuffer===!1)&&(n!==null&&n.dispose(),this._sourceTarget=pf(t,!0,e)),this._sourceTarget}_compileMaterial(e){this._boxMesh.material=e,this._renderer.compile(this._boxMesh,this._cubeCamera.children[0])}_renderCube(e,t,n){let s=this._boxMesh,r=this._cubeCamera;s.material=n,r.renderTarget=e,r.activeMipmapLevel=t;let a=e.width>>t;e.viewport.set(0,0,a,a),r.update(this._renderer,s),e.viewport.set(0,0,e.width,e.height)}_textureToCubemap(e){let t;e.mapping===Qi||e.mapping===Os?(this._cubemapMaterial===null&&(this._cubemapMaterial=gf()),t=this._cubemapMaterial,t.uniforms.flipEnvMap.value=e.isRenderTargetTexture===!1?-1:1):(this._equirectMaterial===null&&(this._equirectMaterial=mf()),t=this._equirectMaterial),t.uniforms.envMap.value=e,this._renderCube(this._getSourceTarget(),0,t)}_applyPMREM(e){this._ggxMaterial===null&&(this._ggxMaterial=mx(),this._integrationMaterial=gx());let t=this._cubeSize,n=e.texture.mipmaps.length-1,s=this._ggxMaterial.uniforms;s.envMap.value=this._sourceTarget.texture;let r=this._integrationMaterial.uniforms;r.envMap.value=this._sourceTarget.texture,r.sourceLod.value=Math.log2(t/Of);for(let a=0;a<=n;a++){let o=i.lodToRoughness(a,n);if(a>n-dx)r.roughness.value=o,this._renderCube(e,a,this._integrationMaterial);else{let l=o>0?Math.log2(t)+.5*Math.log2(6/(Uf*Math.pow(o,4)))+.5:0;s.roughness.value=o,s.lodBias.value=l,this._renderCube(e,a,this._ggxMaterial)}}}_blur(e,t){this._blurMaterial===null&&(this._blurMaterial=xx());let n=this._blurMaterial,s=n.uniforms,r=this._sourceTarget;s.sigma.value=Math.min(t,Math.PI)/Math.SQRT2,s.envMap.value=r.texture,this._renderCube(e,0,n),s.envMap.value=e.texture,this._renderCube(r,0,n)}};function pf(i,e,t){return new Yr(i,{minFilter:hi,generateMipmaps:e,type:Ln,colorSpace:xr,depthBuffer:t})}function Jr(i,e,t){return new qt({name:i,uniforms:e,vertexShader:ze.cube_vert,fragmentShader:t,side:$t,blending:Ki,depthTest:!1,depthWrite:!1})}function mx(){return Jr("PMREMGGXConvolution",{envMap:{value:null},roughness:{value:0},lodBias:{value:0}},`
+
+		#define GGX_SAMPLES ${Uf}u
+
+		varying vec3 vWorldDirection;
+
+		uniform samplerCube envMap;
+		uniform float roughness;
+		uniform float lodBias;
+
+		#include <common>
+
+		// Van der Corput radical inverse
+		float radicalInverse_VdC( uint bits ) {
+
+			bits = ( bits << 16u ) | ( bits >> 16u );
+			bits = ( ( bits & 0x55555555u ) << 1u ) | ( ( bits & 0xAAAAAAAAu ) >> 1u );
+			bits = ( ( bits & 0x33333333u ) << 2u ) | ( ( bits & 0xCCCCCCCCu ) >> 2u );
+			bits = ( ( bits & 0x0F0F0F0Fu ) << 4u ) | ( ( bits & 0xF0F0F0F0u ) >> 4u );
+			bits = ( ( bits & 0x00FF00FFu ) << 8u ) | ( ( bits & 0xFF00FF00u ) >> 8u );
+			return float( bits ) * 2.3283064365386963e-10; // / 0x100000000
+
+		}
+
+		// Hammersley sequence
+		vec2 hammersley( uint i, uint N ) {
+
+			return vec2( float( i ) / float( N ), radicalInverse_VdC( i ) );
+
+		}
+
+		void main() {
+
+			vec3 N = normalize( vWorldDirection );
+
+			// For very low roughness, just sample the environment directly
+			if ( roughness < 0.001 ) {
+
+				gl_FragColor = vec4( textureLod( envMap, N, 0.0 ).rgb, 1.0 );
+				return;
+
+			}
+
+			float alpha = roughness * roughness;
+			float alpha2 = alpha * alpha;
+
+			// Tangent space basis for VNDF sampling
+			vec3 up = abs( N.z ) < 0.999 ? vec3( 0.0, 0.0, 1.0 ) : vec3( 1.0, 0.0, 0.0 );
+			vec3 tangent = normalize( cross( up, N ) );
+			vec3 bitangent = cross( N, tangent );
+
+			vec3 prefilteredColor = vec3( 0.0 );
+			float totalWeight = 0.0;
+
+			for ( uint i = 0u; i < GGX_SAMPLES; i ++ ) {
+
+				vec2 Xi = hammersley( i, GGX_SAMPLES );
+
+				// With V = N, sample the reflected direction directly.
+				float invQ = 1.0 / ( 1.0 - Xi.x + alpha2 * Xi.x );
+				float NdotL = ( 1.0 - Xi.x - alpha2 * Xi.x ) * invQ;
+
+				if ( NdotL > 0.0 ) {
+
+					float phi = 2.0 * PI * Xi.y;
+					float sinTheta = 2.0 * alpha * sqrt( Xi.x * ( 1.0 - Xi.x ) ) * invQ;
+					vec3 L = N * NdotL + ( tangent * cos( phi ) + bitangent * sin( phi ) ) * sinTheta;
+
+					// Match the source mip to the sample's solid angle. The terms
+					// independent of the sample are precomputed in lodBias.
+					float d = alpha2 * invQ;
+					float lod = max( log2( d ) + lodBias, 0.0 );
+
+					// Weight by NdotL for the split-sum approximation
+					prefilteredColor += textureLod( envMap, L, lod ).rgb * NdotL;
+					totalWeight += NdotL;
+
+				}
+
+			}
+
+			gl_FragColor = vec4( prefilteredColor / totalWeight, 1.0 );
+
+		}
+	`)}function gx(){return Jr("PMREMGGXIntegration",{envMap:{value:null},roughness:{value:0},sourceLod:{value:0},sourceSize:{value:Of}},`
+
+		varying vec3 vWorldDirection;
+
+		uniform samplerCube envMap;
+		uniform float roughness;
+		uniform float sourceLod;
+		uniform int sourceSize;
+
+		void main() {
+
+			vec3 N = normalize( vWorldDirection );
+
+			float alpha = roughness * roughness;
+			float alpha2 = alpha * alpha;
+
+			float texelSize = 2.0 / float( sourceSize );
+
+			vec3 prefilteredColor = vec3( 0.0 );
+			float totalWeight = 0.0;
+
+			// Pair opposite texels: only the one in N's hemisphere contributes.
+			for ( int face = 0; face < 3; face ++ ) {
+
+				for ( int y = 0; y < sourceSize; y ++ ) {
+
+					for ( int x = 0; x < sourceSize; x ++ ) {
+
+						vec2 uv = ( vec2( x, y ) + 0.5 ) * texelSize - 1.0;
+						vec3 texelDirection = face == 0 ? vec3( 1.0, uv ) : ( face == 1 ? vec3( uv.x, 1.0, uv.y ) : vec3( uv, 1.0 ) );
+
+						float invDistance = inversesqrt( 1.0 + dot( uv, uv ) );
+						float NdotL = dot( N, texelDirection );
+						texelDirection *= NdotL < 0.0 ? - 1.0 : 1.0;
+						NdotL = abs( NdotL ) * invDistance;
+
+						// With V = N, NdotH squared is ( 1 + NdotL ) / 2. Common factors
+						// in the GGX distribution and texel solid angle cancel when normalized.
+						float d = 1.0 + alpha2 + ( alpha2 - 1.0 ) * NdotL;
+						float weight = NdotL * invDistance * invDistance * invDistance / ( d * d );
+
+						prefilteredColor += textureLod( envMap, texelDirection, sourceLod ).rgb * weight;
+						totalWeight += weight;
+
+					}
+
+				}
+
+			}
+
+			gl_FragColor = vec4( prefilteredColor / totalWeight, 1.0 );
+
+		}
+	`)}function xx(){return Jr("PMREMSphericalGaussianBlur",{envMap:{value:null},sigma:{value:0}},`
+
+		#define SAMPLES ${ux}
+		#define GOLDEN_ANGLE 2.39996322973
+
+		varying vec3 vWorldDirection;
+
+		uniform samplerCube envMap;
+		uniform float sigma;
+
+		#include <common>
+
+		void main() {
+
+			vec3 outputDirection = normalize( vWorldDirection );
+
+			vec3 up = abs( outputDirection.z ) < 0.999 ? vec3( 0.0, 0.0, 1.0 ) : vec3( 1.0, 0.0, 0.0 );
+			vec3 tangent = normalize( cross( up, outputDirection ) );
+			vec3 bitangent = cross( outputDirection, tangent );
+
+			// Truncate the kernel at three standard deviations or at the antipode.
+			float thetaMax = min( 3.0 * sigma, PI );
+			float truncation = 1.0 - exp( - 0.5 * thetaMax * thetaMax / ( sigma * sigma ) );
+
+			vec3 accumColor = vec3( 0.0 );
+			float accumWeight = 0.0;
+
+			for ( int i = 0; i < SAMPLES; i ++ ) {
+
+				// Stratified inverse-CDF sampling of the Gaussian, placed on a golden-angle spiral.
+				float stratum = ( float( i ) + 0.5 ) / float( SAMPLES );
+				float theta = sigma * sqrt( - 2.0 * log( 1.0 - stratum * truncation ) );
+				float phi = float( i ) * GOLDEN_ANGLE;
+
+				vec3 offset = cos( phi ) * tangent + sin( phi ) * bitangent;
+				vec3 sampleDirection = cos( theta ) * outputDirection + sin( theta ) * offset;
+
+				// Correct the planar sample density to solid angle.
+				float weight = sin( theta ) / theta;
+
+				accumColor += weight * textureLod( envMap, sampleDirection, 0.0 ).rgb;
+				accumWeight += weight;
+
+			}
+
+			gl_FragColor = vec4( accumColor / accumWeight, 1.0 );
+
+		}
+	`)}function mf(){return Jr("PMREMEquirectangularToCubemap",{envMap:{value:null}},`
+
+		varying vec3 vWorldDirection;
+
+		uniform sampler2D envMap;
+
+		#include <common>
+
+		void main() {
+
+			// Average four subpixel samples to preserve small, bright features.
+			vec3 direction = normalize( vWorldDirection );
+			vec3 dx = dFdx( direction ) * 0.25;
+			vec3 dy = dFdy( direction ) * 0.25;
+
+			vec3 color = textureLod( envMap, equirectUv( normalize( direction - dx - dy ) ), 0.0 ).rgb;
+			color += textureLod( envMap, equirectUv( normalize( direction + dx - dy ) ), 0.0 ).rgb;
+			color += textureLod( envMap, equirectUv( normalize( direction - dx + dy ) ), 0.0 ).rgb;
+			color += textureLod( envMap, equirectUv( normalize( direction + dx + dy ) ), 0.0 ).rgb;
+			gl_FragColor = vec4( color * 0.25, 1.0 );
+
+		}
+	`)}function gf(){return Jr("PMREMCubemapToCubemap",{envMap:{value:null},flipEnvMap:{value:-1}},`
+
+		varying vec3 vWorldDirection;
+
+		uniform samplerCube envMap;
+		uniform float flipEnvMap;
+
+		void main() {
+
+			gl_FragColor = vec4( textureCube( envMap, vec3( flipEnvMap * vWorldDirection.x, vWorldDirection.yz ) ).rgb, 1.0 );
+
+		}
+	`)}function yx(i){let e=new WeakMap,t=new WeakMap,n=null;function s(d,u=!1){return d==null?null:u?a(d):r(d)}function r(d){if(d&&d.isTexture){let u=d.mapping;if(u===wo||u===Ao)if(e.has(d)){let p=e.get(d).texture;return o(p,d.mapping)}else{let p=d.image;if(p&&p.height>0){let v=new Yr(p.height);return v.fromEquirectangularTexture(i,d),e.set(d,v),d.addEventListener("dispose",c),o(v.texture,d.mapping)}else return null}}return d}function a(d){if(d&&d.isTexture&&d.isPMREMTexture!==!0){let u=d.mapping,p=u===wo||u===Ao,v=u===Qi||u===Os;if(p||v){let g=t.get(d),m=g!==void 0?g.texture.pmremVersion:0;if(d.isRenderTargetTexture&&d.pmremVersion!==m)return n===null&&(n=new dl(i)),g=p?n.fromEquirectangular(d,g):n.fromCubemap(d,g),g.texture.pmremVersion=d.pmremVersion,t.set(d,g),g.texture;if(g!==void 0)return g.texture;{let _=d.image;return p&&_&&_.height>0||v&&_&&l(_)?(n===null&&(n=new dl(i)),g=p?n.fromEquirectangular(d):n.fromCubemap(d),g.texture.pmremVersion=d.pmremVersion,t.set(d,g),d.addEventListener("dispose",h),g.texture):null}}}return d}function o(d,u){return u===wo?d.mapping=Qi:u===Ao&&(d.mapping=Os),d}function l(d){let u=0,p=6;for(let v=0;v<p;v++)d[v]!==void 0&&u++;return u===p}function c(d){let u=d.target;u.removeEventListener("dispose",c);let p=e.get(u);p!==void 0&&(e.delete(u),p.dispose())}function h(d){let u=d.target;u.removeEventListener("dispose",h);let p=t.get(u);p!==void 0&&(t.delete(u),p.dispose())}function f(){e=new WeakMap,t=new WeakMap,n!==null&&(n.dispose(),n=null)}return{get:s,dispose:f}}function vx(i){let e={};function t(n){if(e[n]!==void 0)return e[n];let s=i.getExtension(n);return e[n]=s,s}return{has:function(n){return t(n)!==null},init:function(){t("EXT_color_buffer_float"),t("WEBGL_clip_cull_distance"),t("OES_texture_float_linear"),t("EXT_color_buffer_half_float"),t("WEBGL_multisampled_render_to_texture"),t("WEBGL_render_shared_exponent")},get:function(n){let s=t(n);return s===null&&mr("WebGLRenderer: "+n+" extension not supported."),s}}}function _x(i,e,t,n){let s={},r=new WeakMap,a=new FinalizationRegistry(p=>delete s[p]);function o(p){l(p.target)}function l(p){p.index!==null&&e.remove(p.index);for(let g in p.attributes)e.remove(p.attributes[g]);p.removeEventListener("dispose",o),delete s[p.id],a.unregister(p);let v=r.get(p);v&&(e.remove(v),r.delete(p)),n.releaseStatesOfGeometry(p),p.isInstancedBufferGeometry===!0&&delete p._maxInstanceCount,t.memory.geometries--}function c(p,v){return s[v.id]!==void 0||(v.addEventListener("dispose",o),s[v.id]=new WeakRef(v),a.register(v,v.id,v),t.memory.geometries++),v}function h(p){let v=p.attributes;for(let g in v)e.update(v[g],i.ARRAY_BUFFER)}function f(p){let v=p.index,g=p.attributes.position,m=0;if(g===void 0)return;let _=v!==null?v.array.length:g.array.length/3-1,E=g.count>=65535?Tr:Ar,M=new E(Math.ceil(_/3)*6,1),A=M.array;if(v!==null){let x=v.array;m=v.version;for(let S=0,F=0;S<_;S+=3){let P=x[S+0],N=x[S+1],B=x[S+2];A[F++]=P,A[F++]=N,A[F++]=N,A[F++]=B,A[F++]=B,A[F++]=P}}else{m=g.version;for(let x=0,S=0;x<_;x+=3){let F=x+0,P=x+1,N=x+2;A[S++]=F,A[S++]=P,A[S++]=P,A[S++]=N,A[S++]=N,A[S++]=F}}M.version=m;let w=r.get(p);w&&e.remove(w),r.set(p,M)}function d(p){let v=r.get(p);if(v){let g=p.index;g!==null&&v.version<g.version&&f(p)}else f(p);return r.get(p)}function u(){for(let p in s){let v=s[p].deref();v!==void 0&&l(v)}}return{get:c,update:h,getWireframeAttribute:d,dispose:u}}function bx(i,e,t){let n;function s(f){n=f}let r,a;function o(f){r=f.type,a=f.bytesPerElement}function l(f,d){i.drawElements(n,d,r,f*a),t.update(d,n,1)}function c(f,d,u){u!==0&&(i.drawElementsInstanced(n,d,r,f*a,u),t.update(d,n,u))}function h(f,d,u){if(u===0)return;e.get("WEBGL_multi_draw").multiDrawElementsWEBGL(n,d,0,r,f,0,u);let v=0;for(let g=0;g<u;g++)v+=d[g];t.update(v,n,1)}this.setMode=s,this.setIndex=o,this.render=l,this.renderInstances=c,this.renderMultiDraw=h}function Sx(i){let e={geometries:0,textures:0},t={frame:0,calls:0,triangles:0,points:0,lines:0};function n(r,a,o){switch(t.calls++,a){case i.TRIANGLES:t.triangles+=o*(r/3);break;case i.LINES:t.lines+=o*(r/2);break;case i.LINE_STRIP:t.lines+=o*(r-1);break;case i.LINE_LOOP:t.lines+=o*r;break;case i.POINTS:t.points+=o*r;break;default:Le("WebGLInfo: Unknown draw mode:",a);break}}function s(){t.calls=0,t.triangles=0,t.points=0,t.lines=0}return{memory:e,render:t,programs:null,autoReset:!0,reset:s,update:n}}function Mx(i,e,t){let n=new WeakMap,s=new et;function r(a,o,l){let c=a.morphTargetInfluences,h=o.morphAttributes.position||o.morphAttributes.normal||o.morphAttributes.color,f=h!==void 0?h.length:0,d=n.get(o);if(d===void 0||d.count!==f){let F=function(){x.dispose(),n.delete(o),o.removeEventListener("dispose",F)};d!==void 0&&d.texture.dispose();let u=o.morphAttributes.position!==void 0,p=o.morphAttributes.normal!==void 0,v=o.morphAttributes.color!==void 0,g=o.morphAttributes.position||[],m=o.morphAttributes.normal||[],_=o.morphAttributes.color||[],E=0;u===!0&&(E=1),p===!0&&(E=2),v===!0&&(E=3);let M=o.attributes.position.count*E,A=1;M>e.maxTextureSize&&(A=Math.ceil(M/e.maxTextureSize),M=e.maxTextureSize);let w=new Float32Array(M*A*4*f),x=new Sr(w,M,A,f);x.type=hn,x.needsUpdate=!0;let S=E*4;for(let P=0;P<f;P++){let N=g[P],B=m[P],q=_[P],I=M*A*4*P;for(let G=0;G<N.count;G++){let X=G*S;u===!0&&(s.fromBufferAttribute(N,G),w[I+X+0]=s.x,w[I+X+1]=s.y,w[I+X+2]=s.z,w[I+X+3]=0),p===!0&&(s.fromBufferAttribute(B,G),w[I+X+4]=s.x,w[I+X+5]=s.y,w[I+X+6]=s.z,w[I+X+7]=0),v===!0&&(s.fromBufferAttribute(q,G),w[I+X+8]=s.x,w[I+X+9]=s.y,w[I+X+10]=s.z,w[I+X+11]=q.itemSize===4?s.w:1)}}d={count:f,texture:x,size:new Ve(M,A)},n.set(o,d),o.addEventListener("dispose",F)}if(a.isInstancedMesh===!0&&a.morphTexture!==null)l.getUniforms().setValue(i,"morphTexture",a.morphTexture,t);else{let u=0;for(let v=0;v<c.length;v++)u+=c[v];let p=o.morphTargetsRelative?1:1-u;l.getUniforms().setValue(i,"morphTargetBaseInfluence",p),l.getUniforms().setValue(i,"morphTargetInfluences",c)}l.getUniforms().setValue(i,"morphTargetsTexture",d.texture,t),l.getUniforms().setValue(i,"morphTargetsTextureSize",d.size)}return{update:r}}function wx(i,e,t,n,s){let r=new WeakMap;function a(c){let h=s.render.frame,f=c.geometry,d=e.get(c,f);if(r.get(d)!==h&&(e.update(d),r.set(d,h)),c.isInstancedMesh&&(c.hasEventListener("dispose",l)===!1&&c.addEventListener("dispose",l),r.get(c)!==h&&(t.update(c.instanceMatrix,i.ARRAY_BUFFER),c.instanceColor!==null&&t.update(c.instanceColor,i.ARRAY_BUFFER),r.set(c,h))),c.isSkinnedMesh){let u=c.skeleton;r.get(u)!==h&&(u.update(),r.set(u,h))}return d}function o(){r=new WeakMap}function l(c){let h=c.target;h.removeEventListener("dispose",l),n.releaseStatesOfObject(h),t.remove(h.instanceMatrix),h.instanceColor!==null&&t.remove(h.instanceColor)}return{update:a,dispose:o}}var Ax={[Uc]:"LINEAR_TONE_MAPPING",[Oc]:"REINHARD_TONE_MAPPING",[kc]:"CINEON_TONE_MAPPING",[Bc]:"ACES_FILMIC_TONE_MAPPING",[Vc]:"AGX_TONE_MAPPING",[Hc]:"NEUTRAL_TONE_MAPPING",[zc]:"CUSTOM_TONE_MAPPING"};function Tx(i,e,t,n,s,r){let a=new on(e,t,{type:i,depthBuffer:s,stencilBuffer:r,samples:n?4:0,storeMultisampledDepthBuffer:!1,storeMultisampledStencilBuffer:!1,resolveDepthBuffer:!1,resolveStencilBuffer:!1}),o=null,l=null,c=null,h=new Qt;h.setAttribute("position",new _n([-1,3,0,-1,-1,0,3,-1,0],3)),h.setAttribute("uv",new _n([0,2,0,0,2,0],2));let f=new co({uniforms:{tDiffuse:{value:null}},vertexShader:`
+			precision highp float;
+
+			uniform mat4 modelViewMatrix;
+			uniform mat4 projectionMatrix;
+
+			attribute vec3 position;
+			attribute vec2 uv;
+
+			varying vec2 vUv;
+
+			void main() {
+				vUv = uv;
+				gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.0 );
+			}`,fragmentShader:`
+			precision highp float;
+
+			uniform sampler2D tDiffuse;
+
+			varying vec2 vUv;
+
+			#include <tonemapping_pars_fragment>
+			#include <colorspace_pars_fragment>
+
+			void main() {
+				gl_FragColor = texture2D( tDiffuse, vUv );
+
+				#ifdef LINEAR_TONE_MAPPING
+					gl_FragColor.rgb = LinearToneMapping( gl_FragColor.rgb );
+				#elif defined( REINHARD_TONE_MAPPING )
+					gl_FragColor.rgb = ReinhardToneMapping( gl_FragColor.rgb );
+				#elif defined( CINEON_TONE_MAPPING )
+					gl_FragColor.rgb = CineonToneMapping( gl_FragColor.rgb );
+				#elif defined( ACES_FILMIC_TONE_MAPPING )
+					gl_FragColor.rgb = ACESFilmicToneMapping( gl_FragColor.rgb );
+				#elif defined( AGX_TONE_MAPPING )
+					gl_FragColor.rgb = AgXToneMapping( gl_FragColor.rgb );
+				#elif defined( NEUTRAL_TONE_MAPPING )
+					gl_FragColor.rgb = NeutralToneMapping( gl_FragColor.rgb );
+				#elif defined( CUSTOM_TONE_MAPPING )
+					gl_FragColor.rgb = CustomToneMapping( gl_FragColor.rgb );
+				#endif
+
+				#ifdef SRGB_TRANSFER
+					gl_FragColor = sRGBTransferOETF( gl_FragColor );
+				#endif
+			}`,depthTest:!1,depthWrite:!1}),d=new en(h,f),u=new Ns(-1,1,1,-1,0,1),p=null,v=null,g=!1,m,_=null,E=[],M=!1;this.setSize=function(A,w){a.setSize(A,w),o!==null&&o.setSize(A,w),l!==null&&l.setSize(A,w);for(let x=0;x<E.length;x++){let S=E[x];S.setSize&&S.setSize(A,w)}},this.setEffects=function(A){E=A,M=E.length>0&&E[0].isRenderPass===!0;let w=a.width,x=a.height;E.length>0&&o===null&&(o=new on(w,x,{type:Ln,depthBuffer:!1,stencilBuffer:!1}),l=new on(w,x,{type:Ln,depthBuffer:!1,stencilBuffer:!1}));let S=s===!0&&E.some(F=>F.needsDepthTexture===!0);S!==(a.depthTexture!==null)&&(S===!0&&c===null&&(c=new ci(w,x),r===!0&&(c.format=ui,c.type=es)),a.dispose(),a.depthTexture=S?c:null,a.resolveDepthBuffer=S,a.storeMultisampledDepthBuffer=S);for(let F=0;F<E.length;F++){let P=E[F];P.setSize&&P.setSize(w,x),S&&P.needsDepthTexture===!0&&P.setDepthTexture&&P.setDepthTexture(c)}},this.begin=function(A,w){if(g||A.toneMapping===Wn&&E.length===0)return!1;if(_=w,w!==null){let x=w.width,S=w.height;(a.width!==x||a.height!==S)&&this.setSize(x,S)}return M===!1&&A.setRenderTarget(a),m=A.toneMapping,A.toneMapping=Wn,!0},this.hasRenderPass=function(){return M},this.end=function(A,w){A.toneMapping=m,g=!0;let x=a,S=o;for(let F=0;F<E.length;F++){let P=E[F];P.enabled!==!1&&(P.render(A,S,x,w),P.needsSwap!==!1&&(x=S,S=S===o?l:o))}if(p!==A.outputColorSpace||v!==A.toneMapping){p=A.outputColorSpace,v=A.toneMapping,f.defines={},Xe.getTransfer(p)===Ze&&(f.defines.SRGB_TRANSFER="");let F=Ax[v];F&&(f.defines[F]=""),f.needsUpdate=!0}f.uniforms.tDiffuse.value=x.texture,A.setRenderTarget(_),A.render(d,u),_=null,g=!1},this.isCompositing=function(){return g},this.dispose=function(){a.dispose(),o!==null&&o.dispose(),l!==null&&l.dispose(),h.dispose(),f.dispose()}}var kf=new jt,Bf=new ci(1,1),zf=new Pr(1),Vf=new Sr,Hf=new so,Gf=new Rr,xf=[],yf=[],vf=new Float32Array(16),_f=new Float32Array(9),bf=new Float32Array(4);function Vs(i,e,t){let n=i[0];if(n<=0||n>0)return i;let s=e*t,r=xf[s];if(r===void 0&&(r=new Float32Array(s),xf[s]=r),e!==0){n.toArray(r,0);for(let a=1,o=0;a!==e;++a)o+=t,i[a].toArray(r,o)}return r}function Tt(i,e){if(i.length!==e.length)return!1;for(let t=0,n=i.length;t<n;t++)if(i[t]!==e[t])return!1;return!0}function Et(i,e){for(let t=0,n=e.length;t<n;t++)i[t]=e[t]}function pl(i,e){let t=yf[e];t===void 0&&(t=new Int32Array(e),yf[e]=t);for(let n=0;n!==e;++n)t[n]=i.allocateTextureUnit();return t}function Ex(i,e){let t=this.cache;t[0]!==e&&(i.uniform1f(this.addr,e),t[0]=e)}function Cx(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2f(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(Tt(t,e))return;i.uniform2fv(this.addr,e),Et(t,e)}}function Rx(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(i.uniform3f(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else if(e.r!==void 0)(t[0]!==e.r||t[1]!==e.g||t[2]!==e.b)&&(i.uniform3f(this.addr,e.r,e.g,e.b),t[0]=e.r,t[1]=e.g,t[2]=e.b);else{if(Tt(t,e))return;i.uniform3fv(this.addr,e),Et(t,e)}}function Px(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z||t[3]!==e.w)&&(i.uniform4f(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(Tt(t,e))return;i.uniform4fv(this.addr,e),Et(t,e)}}function Ix(i,e){let t=this.cache,n=e.elements;if(n===void 0){if(Tt(t,e))return;i.uniformMatrix2fv(this.addr,!1,e),Et(t,e)}else{if(Tt(t,n))return;bf.set(n),i.uniformMatrix2fv(this.addr,!1,bf),Et(t,n)}}function Lx(i,e){let t=this.cache,n=e.elements;if(n===void 0){if(Tt(t,e))return;i.uniformMatrix3fv(this.addr,!1,e),Et(t,e)}else{if(Tt(t,n))return;_f.set(n),i.uniformMatrix3fv(this.addr,!1,_f),Et(t,n)}}function Nx(i,e){let t=this.cache,n=e.elements;if(n===void 0){if(Tt(t,e))return;i.uniformMatrix4fv(this.addr,!1,e),Et(t,e)}else{if(Tt(t,n))return;vf.set(n),i.uniformMatrix4fv(this.addr,!1,vf),Et(t,n)}}function Dx(i,e){let t=this.cache;t[0]!==e&&(i.uniform1i(this.addr,e),t[0]=e)}function Fx(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2i(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(Tt(t,e))return;i.uniform2iv(this.addr,e),Et(t,e)}}function Ux(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(i.uniform3i(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else{if(Tt(t,e))return;i.uniform3iv(this.addr,e),Et(t,e)}}function Ox(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z||t[3]!==e.w)&&(i.uniform4i(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(Tt(t,e))return;i.uniform4iv(this.addr,e),Et(t,e)}}function kx(i,e){let t=this.cache;t[0]!==e&&(i.uniform1ui(this.addr,e),t[0]=e)}function Bx(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2ui(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(Tt(t,e))return;i.uniform2uiv(this.addr,e),Et(t,e)}}function zx(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(i.uniform3ui(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else{if(Tt(t,e))return;i.uniform3uiv(this.addr,e),Et(t,e)}}function Vx(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z||t[3]!==e.w)&&(i.uniform4ui(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(Tt(t,e))return;i.uniform4uiv(this.addr,e),Et(t,e)}}function ml(i){return i.version===0&&(i.compareFunction=Qc,i.needsUpdate=!0),i}function Hx(i,e,t){let n=this.cache,s=t.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s);let r;this.type===i.SAMPLER_2D_SHADOW?r=ml(Bf):r=kf,t.setTexture2D(e||r,s)}function Gx(i,e,t){let n=this.cache,s=t.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s),t.setTexture3D(e||Hf,s)}function Wx(i,e,t){let n=this.cache,s=t.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s);let r;this.type===i.SAMPLER_CUBE_SHADOW?r=ml(zf):r=Gf,t.setTextureCube(e||r,s)}function Xx(i,e,t){let n=this.cache,s=t.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s),t.setTexture2DArray(e||Vf,s)}function qx(i){switch(i){case 5126:return Ex;case 35664:return Cx;case 35665:return Rx;case 35666:return Px;case 35674:return Ix;case 35675:return Lx;case 35676:return Nx;case 5124:case 35670:return Dx;case 35667:case 35671:return Fx;case 35668:case 35672:return Ux;case 35669:case 35673:return Ox;case 5125:return kx;case 36294:return Bx;case 36295:return zx;case 36296:return Vx;case 35678:case 36198:case 36298:case 36306:case 35682:return Hx;case 35679:case 36299:case 36307:return Gx;case 35680:case 36300:case 36308:case 36293:return Wx;case 36289:case 36303:case 36311:case 36292:return Xx}}function $x(i,e){i.uniform1fv(this.addr,e)}function Yx(i,e){let t=Vs(e,this.size,2);i.uniform2fv(this.addr,t)}function Jx(i,e){let t=Vs(e,this.size,3);i.uniform3fv(this.addr,t)}function Zx(i,e){let t=Vs(e,this.size,4);i.uniform4fv(this.addr,t)}function Kx(i,e){let t=Vs(e,this.size,4);i.uniformMatrix2fv(this.addr,!1,t)}function jx(i,e){let t=Vs(e,this.size,9);i.uniformMatrix3fv(this.addr,!1,t)}function Qx(i,e){let t=Vs(e,this.size,16);i.uniformMatrix4fv(this.addr,!1,t)}function ey(i,e){i.uniform1iv(this.addr,e)}function ty(i,e){i.uniform2iv(this.addr,e)}function ny(i,e){i.uniform3iv(this.addr,e)}function iy(i,e){i.uniform4iv(this.addr,e)}function sy(i,e){i.uniform1uiv(this.addr,e)}function ry(i,e){i.uniform2uiv(this.addr,e)}function ay(i,e){i.uniform3uiv(this.addr,e)}function oy(i,e){i.uniform4uiv(this.addr,e)}function ly(i,e,t){let n=this.cache,s=e.length,r=pl(t,s);Tt(n,r)||(i.uniform1iv(this.addr,r),Et(n,r));let a;this.type===i.SAMPLER_2D_SHADOW?a=ml(Bf):a=kf;for(let o=0;o!==s;++o)t.setTexture2D(e[o]||a,r[o])}function cy(i,e,t){let n=this.cache,s=e.length,r=pl(t,s);Tt(n,r)||(i.uniform1iv(this.addr,r),Et(n,r));for(let a=0;a!==s;++a)t.setTexture3D(e[a]||Hf,r[a])}function hy(i,e,t){let n=this.cache,s=e.length,r=pl(t,s);Tt(n,r)||(i.uniform1iv(this.addr,r),Et(n,r));let a;this.type===i.SAMPLER_CUBE_SHADOW?a=ml(zf):a=Gf;for(let o=0;o!==s;++o)t.setTextureCube(e[o]||a,r[o])}function uy(i,e,t){let n=this.cache,s=e.length,r=pl(t,s);Tt(n,r)||(i.uniform1iv(this.addr,r),Et(n,r));for(let a=0;a!==s;++a)t.setTexture2DArray(e[a]||Vf,r[a])}function dy(i){switch(i){case 5126:return $x;case 35664:return Yx;case 35665:return Jx;case 35666:return Zx;case 35674:return Kx;case 35675:return jx;case 35676:return Qx;case 5124:case 35670:return ey;case 35667:case 35671:return ty;case 35668:case 35672:return ny;case 35669:case 35673:return iy;case 5125:return sy;case 36294:return ry;case 36295:return ay;case 36296:return oy;case 35678:case 36198:case 36298:case 36306:case 35682:return ly;case 35679:case 36299:case 36307:return cy;case 35680:case 36300:case 36308:case 36293:return hy;case 36289:case 36303:case 36311:case 36292:return uy}}var oh=class{constructor(e,t,n){this.id=e,this.addr=n,this.cache=[],this.type=t.type,this.setValue=qx(t.type)}},lh=class{constructor(e,t,n){this.id=e,this.addr=n,this.cache=[],this.type=t.type,this.size=t.size,this.setValue=dy(t.type)}},ch=class{constructor(e){this.id=e,this.seq=[],this.map={}}setValue(e,t,n){let s=this.seq;for(let r=0,a=s.length;r!==a;++r){let o=s[r];o.setValue(e,t[o.id],n)}}},rh=/(\w+)(\])?(\[|\.)?/g;function Sf(i,e){i.seq.push(e),i.map[e.id]=e}function fy(i,e,t){let n=i.name,s=n.length;for(rh.lastIndex=0;;){let r=rh.exec(n),a=rh.lastIndex,o=r[1],l=r[2]==="]",c=r[3];if(l&&(o=o|0),c===void 0||c==="["&&a+2===s){Sf(t,c===void 0?new oh(o,i,e):new lh(o,i,e));break}else{let f=t.map[o];f===void 0&&(f=new ch(o),Sf(t,f)),t=f}}}var zs=class{constructor(e,t){this.seq=[],this.map={};let n=e.getProgramParameter(t,e.ACTIVE_UNIFORMS);for(let a=0;a<n;++a){let o=e.getActiveUniform(t,a),l=e.getUniformLocation(t,o.name);fy(o,l,this)}let s=[],r=[];for(let a of this.seq)a.type===e.SAMPLER_2D_SHADOW||a.type===e.SAMPLER_CUBE_SHADOW||a.type===e.SAMPLER_2D_ARRAY_SHADOW?s.push(a):r.push(a);s.length>0&&(this.seq=s.concat(r))}setValue(e,t,n,s){let r=this.map[t];r!==void 0&&r.setValue(e,n,s)}setOptional(e,t,n){let s=t[n];s!==void 0&&this.setValue(e,n,s)}static upload(e,t,n,s){for(let r=0,a=t.length;r!==a;++r){let o=t[r],l=n[o.id];l.needsUpdate!==!1&&o.setValue(e,l.value,s)}}static seqWithValue(e,t){let n=[];for(let s=0,r=e.length;s!==r;++s){let a=e[s];a.id in t&&n.push(a)}return n}};function Mf(i,e,t){let n=i.createShader(e);return i.shaderSource(n,t),i.compileShader(n),n}var py=37297,my=0;function gy(i,e){let t=i.split(`
+`),n=[],s=Math.max(e-6,0),r=Math.min(e+6,t.length);for(let a=s;a<r;a++){let o=a+1;n.push(`${o===e?">":" "} ${o}: ${t[a]}`)}return n.join(`
+`)}var wf=new De;function xy(i){Xe._getMatrix(wf,Xe.workingColorSpace,i);let e=`mat3( ${wf.elements.map(t=>t.toFixed(4))} )`;switch(Xe.getTransfer(i)){case yr:return[e,"LinearTransferOETF"];case Ze:return[e,"sRGBTransferOETF"];default:return Pe("WebGLProgram: Unsupported color space: ",i),[e,"LinearTransferOETF"]}}function Af(i,e,t){let n=i.getShaderParameter(e,i.COMPILE_STATUS),r=(i.getShaderInfoLog(e)||"").trim();if(n&&r==="")return"";let a=/ERROR: 0:(\d+)/.exec(r);if(a){let o=parseInt(a[1]);return t.toUpperCase()+`
+
+`+r+`
+
+`+gy(i.getShaderSource(e),o)}else return r}function yy(i,e){let t=xy(e);return[`vec4 ${i}( vec4 value ) {`,`	return ${t[1]}( vec4( ${t[0]} * value.rgb, value.a ) );`,"}"].join(`
+`)}var vy={[Uc]:"Linear",[Oc]:"Reinhard",[kc]:"Cineon",[Bc]:"ACESFilmic",[Vc]:"AgX",[Hc]:"Neutral",[zc]:"Custom"};function _y(i,e){let t=vy[e];return t===void 0?(Pe("WebGLProgram: Unsupported toneMapping:",e),"vec3 "+i+"( vec3 color ) { return LinearToneMapping( color ); }"):"vec3 "+i+"( vec3 color ) { return "+t+"ToneMapping( color ); }"}var ul=new O;function by(){Xe.getLuminanceCoefficients(ul);let i=ul.x.toFixed(4),e=ul.y.toFixed(4),t=ul.z.toFixed(4);return["float luminance( const in vec3 rgb ) {",`	const vec3 weights = vec3( ${i}, ${e}, ${t} );`,"	return dot( weights, rgb );","}"].join(`
+`)}function Sy(i){return[i.extensionClipCullDistance?"#extension GL_ANGLE_clip_cull_distance : require":"",i.extensionMultiDraw?"#extension GL_ANGLE_multi_draw : require":""].filter($r).join(`
+`)}function My(i){let e=[];for(let t in i){let n=i[t];n!==!1&&e.push("#define "+t+" "+n)}return e.join(`
+`)}function wy(i,e){let t={},n=i.getProgramParameter(e,i.ACTIVE_ATTRIBUTES);for(let s=0;s<n;s++){let r=i.getActiveAttrib(e,s),a=r.name,o=1;r.type===i.FLOAT_MAT2&&(o=2),r.type===i.FLOAT_MAT3&&(o=3),r.type===i.FLOAT_MAT4&&(o=4),t[a]={type:r.type,location:i.getAttribLocation(e,a),locationSize:o}}return t}function $r(i){return i!==""}function Tf(i,e){let t=e.numSpotLightShadows+e.numSpotLightMaps-e.numSpotLightShadowsWithMaps;return i.replace(/NUM_SUN_LIGHTS/g,e.numSunLights).replace(/NUM_DIR_LIGHTS/g,e.numDirLights).replace(/NUM_SPOT_LIGHTS/g,e.numSpotLights).replace(/NUM_SPOT_LIGHT_MAPS/g,e.numSpotLightMaps).replace(/NUM_SPOT_LIGHT_COORDS/g,t).replace(/NUM_RECT_AREA_LIGHTS/g,e.numRectAreaLights).replace(/NUM_POINT_LIGHTS/g,e.numPointLights).replace(/NUM_HEMI_LIGHTS/g,e.numHemiLights).replace(/NUM_SUN_LIGHT_SHADOWS/g,e.numSunLightShadows).replace(/NUM_DIR_LIGHT_SHADOWS/g,e.numDirLightShadows).replace(/NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS/g,e.numSpotLightShadowsWithMaps).replace(/NUM_SPOT_LIGHT_SHADOWS/g,e.numSpotLightShadows).replace(/NUM_POINT_LIGHT_SHADOWS/g,e.numPointLightShadows).replace(/NUM_LIGHT_PROBE_GRIDS/g,e.numLightProbeGrids)}function Ef(i,e){return i.replace(/NUM_CLIPPING_PLANES/g,e.numClippingPlanes).replace(/UNION_CLIPPING_PLANES/g,e.numClippingPlanes-e.numClipIntersection)}var Ay=/^[ \t]*#include +<([\w\d./]+)>/gm;function hh(i){return i.replace(Ay,Ty)}function Ty(i,e){let t=ze[e];if(t===void 0)throw new Error("THREE.WebGLProgram: Can not resolve #include <"+e+">");return hh(t)}var Ey=/#pragma unroll_loop_start\s+for\s*\(\s*int\s+i\s*=\s*(\d+)\s*;\s*i\s*<\s*(\d+)\s*;\s*i\s*\+\+\s*\)\s*{([\s\S]+?)}\s+#pragma unroll_loop_end/g;function Cf(i){return i.replace(Ey,Cy)}function Cy(i,e,t,n){let s="";for(let r=parseInt(e);r<parseInt(t);r++)s+=n.replace(/\[\s*i\s*\]/g,"[ "+r+" ]").replace(/UNROLLED_LOOP_INDEX/g,r);return s}function Rf(i){let e=`precision ${i.precision} float;
+	precision ${i.precision} int;
+	precision ${i.precision} sampler2D;
+	precision ${i.precision} samplerCube;
+	precision ${i.precision} sampler3D;
+	precision ${i.precision} sampler2DArray;
+	precision ${i.precision} sampler2DShadow;
+	precision ${i.precision} samplerCubeShadow;
+	precision ${i.precision} sampler2DArrayShadow;
+	precision ${i.precision} isampler2D;
+	precision ${i.precision} isampler3D;
+	precision ${i.precision} isamplerCube;
+	precision ${i.precision} isampler2DArray;
+	precision ${i.precision} usampler2D;
+	precision ${i.precision} usampler3D;
+	precision ${i.precision} usamplerCube;
+	precision ${i.precision} usampler2DArray;
+	`;return i.precision==="highp"?e+=`
+#define HIGH_PRECISION`:i.precision==="mediump"?e+=`
+#define MEDIUM_PRECISION`:i.precision==="lowp"&&(e+=`
+#define LOW_PRECISION`),e}var Ry={[Or]:"SHADOWMAP_TYPE_PCF",[Fs]:"SHADOWMAP_TYPE_VSM"};function Py(i){return Ry[i.shadowMapType]||"SHADOWMAP_TYPE_BASIC"}var Iy={[Os]:"ENVMAP_MODE_REFRACTION"};function Ly(i){return i.envMap===!1?"ENVMAP_MODE_REFLECTION":Iy[i.envMapMode]||"ENVMAP_MODE_REFLECTION"}var Ny={[Fc]:"ENVMAP_BLENDING_MULTIPLY",[Wd]:"ENVMAP_BLENDING_MIX",[Xd]:"ENVMAP_BLENDING_ADD"};function Dy(i){return i.envMap===!1?"ENVMAP_BLENDING_NONE":Ny[i.combine]||"ENVMAP_BLENDING_NONE"}function Fy(i,e,t,n){let s=i.getContext(),r=t.defines,a=t.vertexShader,o=t.fragmentShader,l=Py(t),c=t.envMapPMREM===!0?"ENVMAP_TYPE_PMREM":"ENVMAP_TYPE_CUBE",h=Ly(t),f=Dy(t),d=Sy(t),u=My(r),p=s.createProgram(),v,g,m=t.glslVersion?"#version "+t.glslVersion+`
+`:"";t.isRawShaderMaterial?(v=["#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,u].filter($r).join(`
+`),v.length>0&&(v+=`
+`),g=["#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,u].filter($r).join(`
+`),g.length>0&&(g+=`
+`)):(v=[Rf(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,u,t.extensionClipCullDistance?"#define USE_CLIP_DISTANCE":"",t.batching?"#define USE_BATCHING":"",t.batchingColor?"#define USE_BATCHING_COLOR":"",t.instancing?"#define USE_INSTANCING":"",t.instancingColor?"#define USE_INSTANCING_COLOR":"",t.instancingMorph?"#define USE_INSTANCING_MORPH":"",t.useFog&&t.fog?"#define USE_FOG":"",t.useFog&&t.fogExp2?"#define FOG_EXP2":"",t.map?"#define USE_MAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+h:"",t.lightMap?"#define USE_LIGHTMAP":"",t.aoMap?"#define USE_AOMAP":"",t.bumpMap?"#define USE_BUMPMAP":"",t.normalMap?"#define USE_NORMALMAP":"",t.normalMapObjectSpace?"#define USE_NORMALMAP_OBJECTSPACE":"",t.normalMapTangentSpace?"#define USE_NORMALMAP_TANGENTSPACE":"",t.displacementMap?"#define USE_DISPLACEMENTMAP":"",t.emissiveMap?"#define USE_EMISSIVEMAP":"",t.anisotropy?"#define USE_ANISOTROPY":"",t.anisotropyMap?"#define USE_ANISOTROPYMAP":"",t.clearcoatMap?"#define USE_CLEARCOATMAP":"",t.clearcoatRoughnessMap?"#define USE_CLEARCOAT_ROUGHNESSMAP":"",t.clearcoatNormalMap?"#define USE_CLEARCOAT_NORMALMAP":"",t.diffuseRoughnessMap?"#define USE_DIFFUSE_ROUGHNESSMAP":"",t.iridescenceMap?"#define USE_IRIDESCENCEMAP":"",t.iridescenceThicknessMap?"#define USE_IRIDESCENCE_THICKNESSMAP":"",t.specularMap?"#define USE_SPECULARMAP":"",t.specularColorMap?"#define USE_SPECULAR_COLORMAP":"",t.specularIntensityMap?"#define USE_SPECULAR_INTENSITYMAP":"",t.roughnessMap?"#define USE_ROUGHNESSMAP":"",t.metalnessMap?"#define USE_METALNESSMAP":"",t.alphaMap?"#define USE_ALPHAMAP":"",t.alphaHash?"#define USE_ALPHAHASH":"",t.transmission?"#define USE_TRANSMISSION":"",t.transmissionMap?"#define USE_TRANSMISSIONMAP":"",t.thicknessMap?"#define USE_THICKNESSMAP":"",t.sheenColorMap?"#define USE_SHEEN_COLORMAP":"",t.sheenRoughnessMap?"#define USE_SHEEN_ROUGHNESSMAP":"",t.mapUv?"#define MAP_UV "+t.mapUv:"",t.alphaMapUv?"#define ALPHAMAP_UV "+t.alphaMapUv:"",t.lightMapUv?"#define LIGHTMAP_UV "+t.lightMapUv:"",t.aoMapUv?"#define AOMAP_UV "+t.aoMapUv:"",t.emissiveMapUv?"#define EMISSIVEMAP_UV "+t.emissiveMapUv:"",t.bumpMapUv?"#define BUMPMAP_UV "+t.bumpMapUv:"",t.normalMapUv?"#define NORMALMAP_UV "+t.normalMapUv:"",t.displacementMapUv?"#define DISPLACEMENTMAP_UV "+t.displacementMapUv:"",t.metalnessMapUv?"#define METALNESSMAP_UV "+t.metalnessMapUv:"",t.roughnessMapUv?"#define ROUGHNESSMAP_UV "+t.roughnessMapUv:"",t.anisotropyMapUv?"#define ANISOTROPYMAP_UV "+t.anisotropyMapUv:"",t.clearcoatMapUv?"#define CLEARCOATMAP_UV "+t.clearcoatMapUv:"",t.clearcoatNormalMapUv?"#define CLEARCOAT_NORMALMAP_UV "+t.clearcoatNormalMapUv:"",t.clearcoatRoughnessMapUv?"#define CLEARCOAT_ROUGHNESSMAP_UV "+t.clearcoatRoughnessMapUv:"",t.diffuseRoughnessMapUv?"#define DIFFUSE_ROUGHNESSMAP_UV "+t.diffuseRoughnessMapUv:"",t.iridescenceMapUv?"#define IRIDESCENCEMAP_UV "+t.iridescenceMapUv:"",t.iridescenceThicknessMapUv?"#define IRIDESCENCE_THICKNESSMAP_UV "+t.iridescenceThicknessMapUv:"",t.sheenColorMapUv?"#define SHEEN_COLORMAP_UV "+t.sheenColorMapUv:"",t.sheenRoughnessMapUv?"#define SHEEN_ROUGHNESSMAP_UV "+t.sheenRoughnessMapUv:"",t.specularMapUv?"#define SPECULARMAP_UV "+t.specularMapUv:"",t.specularColorMapUv?"#define SPECULAR_COLORMAP_UV "+t.specularColorMapUv:"",t.specularIntensityMapUv?"#define SPECULAR_INTENSITYMAP_UV "+t.specularIntensityMapUv:"",t.transmissionMapUv?"#define TRANSMISSIONMAP_UV "+t.transmissionMapUv:"",t.thicknessMapUv?"#define THICKNESSMAP_UV "+t.thicknessMapUv:"",t.vertexTangents&&t.flatShading===!1?"#define USE_TANGENT":"",t.vertexNormals?"#define HAS_NORMAL":"",t.vertexColors?"#define USE_COLOR":"",t.vertexAlphas?"#define USE_COLOR_ALPHA":"",t.vertexUv1s?"#define USE_UV1":"",t.vertexUv2s?"#define USE_UV2":"",t.vertexUv3s?"#define USE_UV3":"",t.pointsUvs?"#define USE_POINTS_UV":"",t.flatShading?"#define FLAT_SHADED":"",t.skinning?"#define USE_SKINNING":"",t.morphTargets?"#define USE_MORPHTARGETS":"",t.morphNormals&&t.flatShading===!1?"#define USE_MORPHNORMALS":"",t.morphColors?"#define USE_MORPHCOLORS":"",t.morphTargetsCount>0?"#define MORPHTARGETS_TEXTURE_STRIDE "+t.morphTextureStride:"",t.morphTargetsCount>0?"#define MORPHTARGETS_COUNT "+t.morphTargetsCount:"",t.doubleSided?"#define DOUBLE_SIDED":"",t.flipSided?"#define FLIP_SIDED":"",t.shadowMapEnabled?"#define USE_SHADOWMAP":"",t.shadowMapEnabled?"#define "+l:"",t.sizeAttenuation?"#define USE_SIZEATTENUATION":"",t.numLightProbes>0?"#define USE_LIGHT_PROBES":"",t.logarithmicDepthBuffer?"#define USE_LOGARITHMIC_DEPTH_BUFFER":"",t.reversedDepthBuffer?"#define USE_REVERSED_DEPTH_BUFFER":"","uniform mat4 modelMatrix;","uniform mat4 modelViewMatrix;","uniform mat4 projectionMatrix;","uniform mat4 viewMatrix;","uniform mat3 normalMatrix;","uniform vec3 cameraPosition;","uniform bool isOrthographic;","#ifdef USE_INSTANCING","	attribute mat4 instanceMatrix;","#endif","#ifdef USE_INSTANCING_COLOR","	attribute vec3 instanceColor;","#endif","#ifdef USE_INSTANCING_MORPH","	uniform sampler2D morphTexture;","#endif","attribute vec3 position;","attribute vec3 normal;","attribute vec2 uv;","#ifdef USE_UV1","	attribute vec2 uv1;","#endif","#ifdef USE_UV2","	attribute vec2 uv2;","#endif","#ifdef USE_UV3","	attribute vec2 uv3;","#endif","#ifdef USE_TANGENT","	attribute vec4 tangent;","#endif","#if defined( USE_COLOR_ALPHA )","	attribute vec4 color;","#elif defined( USE_COLOR )","	attribute vec3 color;","#endif","#ifdef USE_SKINNING","	attribute vec4 skinIndex;","	attribute vec4 skinWeight;","#endif",`
+`].filter($r).join(`
+`),g=[Rf(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,u,t.useFog&&t.fog?"#define USE_FOG":"",t.useFog&&t.fogExp2?"#define FOG_EXP2":"",t.alphaToCoverage?"#define ALPHA_TO_COVERAGE":"",t.map?"#define USE_MAP":"",t.matcap?"#define USE_MATCAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+c:"",t.envMap?"#define "+h:"",t.envMap?"#define "+f:"",t.envMapPMREM?"#define ENVMAP_MAX_LOD "+t.envMapMaxLod+".0":"",t.envMapPMREM?"#define ENVMAP_SIZE "+t.envMapSize+".0":"",t.lightMap?"#define USE_LIGHTMAP":"",t.aoMap?"#define USE_AOMAP":"",t.bumpMap?"#define USE_BUMPMAP":"",t.normalMap?"#define USE_NORMALMAP":"",t.normalMapObjectSpace?"#define USE_NORMALMAP_OBJECTSPACE":"",t.normalMapTangentSpace?"#define USE_NORMALMAP_TANGENTSPACE":"",t.packedNormalMap?"#define USE_PACKED_NORMALMAP":"",t.emissiveMap?"#define USE_EMISSIVEMAP":"",t.anisotropy?"#define USE_ANISOTROPY":"",t.anisotropyMap?"#define USE_ANISOTROPYMAP":"",t.clearcoat?"#define USE_CLEARCOAT":"",t.clearcoatMap?"#define USE_CLEARCOATMAP":"",t.clearcoatRoughnessMap?"#define USE_CLEARCOAT_ROUGHNESSMAP":"",t.clearcoatNormalMap?"#define USE_CLEARCOAT_NORMALMAP":"",t.diffuseRoughness?"#define USE_DIFFUSE_ROUGHNESS":"",t.diffuseRoughnessMap?"#define USE_DIFFUSE_ROUGHNESSMAP":"",t.dispersion?"#define USE_DISPERSION":"",t.retroreflection?"#define USE_RETROREFLECTION":"",t.iridescence?"#define USE_IRIDESCENCE":"",t.iridescenceMap?"#define USE_IRIDESCENCEMAP":"",t.iridescenceThicknessMap?"#define USE_IRIDESCENCE_THICKNESSMAP":"",t.specularMap?"#define USE_SPECULARMAP":"",t.specularColorMap?"#define USE_SPECULAR_COLORMAP":"",t.specularIntensityMap?"#define USE_SPECULAR_INTENSITYMAP":"",t.roughnessMap?"#define USE_ROUGHNESSMAP":"",t.metalnessMap?"#define USE_METALNESSMAP":"",t.alphaMap?"#define USE_ALPHAMAP":"",t.alphaTest?"#define USE_ALPHATEST":"",t.alphaHash?"#define USE_ALPHAHASH":"",t.sheen?"#define USE_SHEEN":"",t.sheenColorMap?"#define USE_SHEEN_COLORMAP":"",t.sheenRoughnessMap?"#define USE_SHEEN_ROUGHNESSMAP":"",t.transmission?"#define USE_TRANSMISSION":"",t.transmissionMap?"#define USE_TRANSMISSIONMAP":"",t.thicknessMap?"#define USE_THICKNESSMAP":"",t.vertexTangents&&t.flatShading===!1?"#define USE_TANGENT":"",t.vertexColors||t.instancingColor?"#define USE_COLOR":"",t.vertexAlphas||t.batchingColor?"#define USE_COLOR_ALPHA":"",t.vertexUv1s?"#define USE_UV1":"",t.vertexUv2s?"#define USE_UV2":"",t.vertexUv3s?"#define USE_UV3":"",t.pointsUvs?"#define USE_POINTS_UV":"",t.gradientMap?"#define USE_GRADIENTMAP":"",t.flatShading?"#define FLAT_SHADED":"",t.doubleSided?"#define DOUBLE_SIDED":"",t.flipSided?"#define FLIP_SIDED":"",t.shadowMapEnabled?"#define USE_SHADOWMAP":"",t.shadowMapEnabled?"#define "+l:"",t.premultipliedAlpha?"#define PREMULTIPLIED_ALPHA":"",t.numLightProbes>0?"#define USE_LIGHT_PROBES":"",t.decodeVideoTexture?"#define DECODE_VIDEO_TEXTURE":"",t.decodeVideoTextureEmissive?"#define DECODE_VIDEO_TEXTURE_EMISSIVE":"",t.logarithmicDepthBuffer?"#define USE_LOGARITHMIC_DEPTH_BUFFER":"",t.reversedDepthBuffer?"#define USE_REVERSED_DEPTH_BUFFER":"","uniform mat4 viewMatrix;","uniform vec3 cameraPosition;","uniform bool isOrthographic;",t.toneMapping!==Wn?"#define TONE_MAPPING":"",t.toneMapping!==Wn?ze.tonemapping_pars_fragment:"",t.toneMapping!==Wn?_y("toneMapping",t.toneMapping):"",t.dithering?"#define DITHERING":"",t.opaque?"#define OPAQUE":"",ze.colorspace_pars_fragment,yy("linearToOutputTexel",t.outputColorSpace),by(),t.useDepthPacking?"#define DEPTH_PACKING "+t.depthPacking:"",`
+`].filter($r).join(`
+`)),a=hh(a),a=Tf(a,t),a=Ef(a,t),o=hh(o),o=Tf(o,t),o=Ef(o,t),a=Cf(a),o=Cf(o),t.isRawShaderMaterial!==!0&&(m=`#version 300 es
+`,v=[d,"#define attribute in","#define varying out","#define texture2D texture"].join(`
+`)+`
+`+v,g=["#define varying in",t.glslVersion===Li?"":"layout(location = 0) out highp vec4 pc_fragColor;",t.glslVersion===Li?"":"#define gl_FragColor pc_fragColor","#define gl_FragDepthEXT gl_FragDepth","#define texture2D texture","#define textureCube texture","#define texture2DProj textureProj","#define texture2DLodEXT textureLod","#define texture2DProjLodEXT textureProjLod","#define textureCubeLodEXT textureLod","#define texture2DGradEXT textureGrad","#define texture2DProjGradEXT textureProjGrad","#define textureCubeGradEXT textureGrad"].join(`
+`)+`
+`+g);let _=m+v+a,E=m+g+o,M=Mf(s,s.VERTEX_SHADER,_),A=Mf(s,s.FRAGMENT_SHADER,E);s.attachShader(p,M),s.attachShader(p,A),t.index0AttributeName!==void 0?s.bindAttribLocation(p,0,t.index0AttributeName):t.hasPositionAttribute===!0&&s.bindAttribLocation(p,0,"position"),s.linkProgram(p);function w(P){if(i.debug.checkShaderErrors){let N=s.getProgramInfoLog(p)||"",B=s.getShaderInfoLog(M)||"",q=s.getShaderInfoLog(A)||"",I=N.trim(),G=B.trim(),X=q.trim(),z=!0,ee=!0;if(s.getProgramParameter(p,s.LINK_STATUS)===!1)if(z=!1,typeof i.debug.onShaderError=="function")i.debug.onShaderError(s,p,M,A);else{let H=Af(s,M,"vertex"),K=Af(s,A,"fragment");Le("WebGLProgram: Shader Error "+s.getError()+" - VALIDATE_STATUS "+s.getProgramParameter(p,s.VALIDATE_STATUS)+`
+
+Material Name: `+P.name+`
+Material Type: `+P.type+`
+
+Program Info Log: `+I+`
+`+H+`
+`+K)}else I!==""?Pe("WebGLProgram: Program Info Log:",I):(G===""||X==="")&&(ee=!1);ee&&(P.diagnostics={runnable:z,programLog:I,vertexShader:{log:G,prefix:v},fragmentShader:{log:X,prefix:g}})}s.deleteShader(M),s.deleteShader(A),x=new zs(s,p),S=wy(s,p)}let x;this.getUniforms=function(){return x===void 0&&w(this),x};let S;this.getAttributes=function(){return S===void 0&&w(this),S};let F=t.rendererExtensionParallelShaderCompile===!1;return this.isReady=function(){return F===!1&&(F=s.getProgramParameter(p,py)),F},this.destroy=function(){n.releaseStatesOfProgram(this),s.deleteProgram(p),this.program=void 0},this.type=t.shaderType,this.name=t.shaderName,this.id=my++,this.cacheKey=e,this.usedTimes=1,this.program=p,this.vertexShader=M,this.fragmentShader=A,this}var Uy=0,uh=class{constructor(){this.shaderCache=new Map,this.materialCache=new Map}update(e,t,n){let s=this._getShaderCacheForMaterial(e);return s.has(t)===!1&&(s.add(t),t.usedTimes++),s.has(n)===!1&&(s.add(n),n.usedTimes++),this}remove(e){let t=this.materialCache.get(e);for(let n of t)n.usedTimes--,n.usedTimes===0&&this.shaderCache.delete(n.code);return this.materialCache.delete(e),this}getVertexShaderStage(e){return this._getShaderStage(e.vertexShader)}getFragmentShaderStage(e){return this._getShaderStage(e.fragmentShader)}dispose(){this.shaderCache.clear(),this.materialCache.clear()}_getShaderCacheForMaterial(e){let t=this.materialCache,n=t.get(e);return n===void 0&&(n=new Set,t.set(e,n)),n}_getShaderStage(e){let t=this.shaderCache,n=t.get(e);return n===void 0&&(n=new dh(e),t.set(e,n)),n}},dh=class{constructor(e){this.id=Uy++,this.code=e,this.usedTimes=0}};function Oy(i){return i===Ii||i===Wr||i===Xr}function ky(i,e,t,n,s,r){let a=new Mr,o=new uh,l=new Set,c=[],h=new Map,f=n.logarithmicDepthBuffer,d={MeshDepthMaterial:"depth",MeshDistanceMaterial:"distance",MeshNormalMaterial:"normal",MeshBasicMaterial:"basic",MeshLambertMaterial:"lambert",MeshPhongMaterial:"phong",MeshToonMaterial:"toon",MeshStandardMaterial:"physical",MeshPhysicalMaterial:"physical",MeshMatcapMaterial:"matcap",LineBasicMaterial:"basic",LineDashedMaterial:"dashed",PointsMaterial:"points",ShadowMaterial:"shadow",SpriteMaterial:"sprite"};function u(x){return l.add(x),x===0?"uv":`uv${x}`}function p(x,S,F,P,N,B){let q=P.fog,I=N.geometry,G=x.isMeshStandardMaterial||x.isMeshLambertMaterial||x.isMeshPhongMaterial?P.environment:null,X=x.isMeshStandardMaterial||x.isMeshLambertMaterial&&!x.envMap||x.isMeshPhongMaterial&&!x.envMap,z=e.get(x.envMap||G,X),ee=d[x.type],H=n.precision;x.precision!==null&&(H=n.getMaxPrecision(x.precision),H!==x.precision&&Pe("WebGLProgram.getParameters:",x.precision,"not supported, using",H,"instead."));let K=I.morphAttributes.position||I.morphAttributes.normal||I.morphAttributes.color,te=K!==void 0?K.length:0,ve=0;I.morphAttributes.position!==void 0&&(ve=1),I.morphAttributes.normal!==void 0&&(ve=2),I.morphAttributes.color!==void 0&&(ve=3);let Ae,$,se,pe;if(ee){let ge=qn[ee];Ae=ge.vertexShader,$=ge.fragmentShader}else{Ae=x.vertexShader,$=x.fragmentShader;let ge=o.getVertexShaderStage(x),Ke=o.getFragmentShaderStage(x);o.update(x,ge,Ke),se=ge.id,pe=Ke.id}let Te=i.getRenderTarget(),me=i.state.buffers.depth.getReversed(),Ie=N.isInstancedMesh===!0,at=N.isBatchedMesh===!0,Ce=!!x.map,$e=!!x.matcap,je=!!z,He=je&&z.isPMREMTexture===!0,Nt=!!x.aoMap,bt=!!x.lightMap,Jt=!!x.bumpMap&&x.wireframe===!1,ct=!!x.normalMap,Dn=!!x.displacementMap,Ct=!!x.emissiveMap,dn=!!x.metalnessMap,fn=!!x.roughnessMap,pn=x.anisotropy>0,D=x.clearcoat>0,mn=x.diffuseRoughness>0,ot=x.dispersion>0,lt=x.retroreflectivity>0,fe=x.iridescence>0,St=x.sheen>0,Re=x.transmission>0,Fe=pn&&!!x.anisotropyMap,T=D&&!!x.clearcoatMap,y=D&&!!x.clearcoatNormalMap,k=D&&!!x.clearcoatRoughnessMap,ne=mn&&!!x.diffuseRoughnessMap,Q=fe&&!!x.iridescenceMap,ae=fe&&!!x.iridescenceThicknessMap,ue=St&&!!x.sheenColorMap,J=St&&!!x.sheenRoughnessMap,Z=!!x.specularMap,le=!!x.specularColorMap,C=!!x.specularIntensityMap,j=Re&&!!x.transmissionMap,Y=Re&&!!x.thicknessMap,ce=!!x.gradientMap,re=!!x.alphaMap,oe=x.alphaTest>0,we=!!x.alphaHash,ke=!!x.extensions,ie=Wn;x.toneMapped&&(Te===null||Te.isXRRenderTarget===!0)&&(ie=i.toneMapping);let Ee=He?z.isCompressedCubeTexture?z.image[0].mipmaps:z.mipmaps:null,Oe={shaderID:ee,shaderType:x.type,shaderName:x.name,vertexShader:Ae,fragmentShader:$,defines:x.defines,customVertexShaderID:se,customFragmentShaderID:pe,isRawShaderMaterial:x.isRawShaderMaterial===!0,glslVersion:x.glslVersion,precision:H,batching:at,batchingColor:at&&N._colorsTexture!==null,instancing:Ie,instancingColor:Ie&&N.instanceColor!==null,instancingMorph:Ie&&N.morphTexture!==null,outputColorSpace:Te===null?i.outputColorSpace:Te.isXRRenderTarget===!0?Te.texture.colorSpace:Xe.workingColorSpace,alphaToCoverage:!!x.alphaToCoverage,map:Ce,matcap:$e,envMap:je,envMapMode:je&&z.mapping,envMapPMREM:He,envMapMaxLod:He?Ee.length-1:null,envMapSize:He?Ee[0].width:null,aoMap:Nt,lightMap:bt,bumpMap:Jt,normalMap:ct,displacementMap:Dn,emissiveMap:Ct,normalMapObjectSpace:ct&&x.normalMapType===Yd,normalMapTangentSpace:ct&&x.normalMapType===Zc,packedNormalMap:ct&&x.normalMapType===Zc&&Oy(x.normalMap.format),metalnessMap:dn,roughnessMap:fn,anisotropy:pn,anisotropyMap:Fe,clearcoat:D,clearcoatMap:T,clearcoatNormalMap:y,clearcoatRoughnessMap:k,diffuseRoughness:mn,diffuseRoughnessMap:ne,dispersion:ot,retroreflection:lt,iridescence:fe,iridescenceMap:Q,iridescenceThicknessMap:ae,sheen:St,sheenColorMap:ue,sheenRoughnessMap:J,specularMap:Z,specularColorMap:le,specularIntensityMap:C,transmission:Re,transmissionMap:j,thicknessMap:Y,gradientMap:ce,opaque:x.transparent===!1&&x.blending===Us&&x.alphaToCoverage===!1,alphaMap:re,alphaTest:oe,alphaHash:we,combine:x.combine,mapUv:Ce&&u(x.map.channel),aoMapUv:Nt&&u(x.aoMap.channel),lightMapUv:bt&&u(x.lightMap.channel),bumpMapUv:Jt&&u(x.bumpMap.channel),normalMapUv:ct&&u(x.normalMap.channel),displacementMapUv:Dn&&u(x.displacementMap.channel),emissiveMapUv:Ct&&u(x.emissiveMap.channel),metalnessMapUv:dn&&u(x.metalnessMap.channel),roughnessMapUv:fn&&u(x.roughnessMap.channel),anisotropyMapUv:Fe&&u(x.anisotropyMap.channel),clearcoatMapUv:T&&u(x.clearcoatMap.channel),clearcoatNormalMapUv:y&&u(x.clearcoatNormalMap.channel),clearcoatRoughnessMapUv:k&&u(x.clearcoatRoughnessMap.channel),diffuseRoughnessMapUv:ne&&u(x.diffuseRoughnessMap.channel),iridescenceMapUv:Q&&u(x.iridescenceMap.channel),iridescenceThicknessMapUv:ae&&u(x.iridescenceThicknessMap.channel),sheenColorMapUv:ue&&u(x.sheenColorMap.channel),sheenRoughnessMapUv:J&&u(x.sheenRoughnessMap.channel),specularMapUv:Z&&u(x.specularMap.channel),specularColorMapUv:le&&u(x.specularColorMap.channel),specularIntensityMapUv:C&&u(x.specularIntensityMap.channel),transmissionMapUv:j&&u(x.transmissionMap.channel),thicknessMapUv:Y&&u(x.thicknessMap.channel),alphaMapUv:re&&u(x.alphaMap.channel),vertexTangents:!!I.attributes.tangent&&(ct||pn),vertexNormals:!!I.attributes.normal,vertexColors:x.vertexColors,vertexAlphas:x.vertexColors===!0&&!!I.attributes.color&&I.attributes.color.itemSize===4,pointsUvs:N.isPoints===!0&&!!I.attributes.uv&&(Ce||re),fog:!!q,useFog:x.fog===!0,fogExp2:!!q&&q.isFogExp2,flatShading:x.wireframe===!1&&(x.flatShading===!0||I.attributes.normal===void 0&&ct===!1&&(x.isMeshLambertMaterial||x.isMeshPhongMaterial||x.isMeshStandardMaterial||x.isMeshPhysicalMaterial)),sizeAttenuation:x.sizeAttenuation===!0,logarithmicDepthBuffer:f,reversedDepthBuffer:me,skinning:N.isSkinnedMesh===!0,hasPositionAttribute:I.attributes.position!==void 0,morphTargets:I.morphAttributes.position!==void 0,morphNormals:I.morphAttributes.normal!==void 0,morphColors:I.morphAttributes.color!==void 0,morphTargetsCount:te,morphTextureStride:ve,numSunLights:S.sun.length,numDirLights:S.directional.length,numPointLights:S.point.length,numSpotLights:S.spot.length,numSpotLightMaps:S.spotLightMap.length,numRectAreaLights:S.rectArea.length,numHemiLights:S.hemi.length,numSunLightShadows:S.sunShadowMap.length,numDirLightShadows:S.directionalShadowMap.length,numPointLightShadows:S.pointShadowMap.length,numSpotLightShadows:S.spotShadowMap.length,numSpotLightShadowsWithMaps:S.numSpotLightShadowsWithMaps,numLightProbes:S.numLightProbes,numLightProbeGrids:B.filter(ge=>ge.texture!==null).length,numClippingPlanes:r.numPlanes,numClipIntersection:r.numIntersection,dithering:x.dithering,shadowMapEnabled:i.shadowMap.enabled&&F.length>0,shadowMapType:i.shadowMap.type,toneMapping:ie,decodeVideoTexture:Ce&&x.map.isVideoTexture===!0&&Xe.getTransfer(x.map.colorSpace)===Ze,decodeVideoTextureEmissive:Ct&&x.emissiveMap.isVideoTexture===!0&&Xe.getTransfer(x.emissiveMap.colorSpace)===Ze,premultipliedAlpha:x.premultipliedAlpha,doubleSided:x.side===bn,flipSided:x.side===$t,useDepthPacking:x.depthPacking>=0,depthPacking:x.depthPacking||0,index0AttributeName:x.index0AttributeName,extensionClipCullDistance:ke&&x.extensions.clipCullDistance===!0&&t.has("WEBGL_clip_cull_distance"),extensionMultiDraw:(ke&&x.extensions.multiDraw===!0||at)&&t.has("WEBGL_multi_draw"),rendererExtensionParallelShaderCompile:t.has("KHR_parallel_shader_compile"),customProgramCacheKey:x.customProgramCacheKey()};return Oe.vertexUv1s=l.has(1),Oe.vertexUv2s=l.has(2),Oe.vertexUv3s=l.has(3),l.clear(),Oe}function v(x){let S=[];if(x.shaderID?S.push(x.shaderID):(S.push(x.customVertexShaderID),S.push(x.customFragmentShaderID)),x.defines!==void 0)for(let F in x.defines)S.push(F),S.push(x.defines[F]);return x.isRawShaderMaterial===!1&&(g(S,x),m(S,x),S.push(i.outputColorSpace)),S.push(x.customProgramCacheKey),S.join()}function g(x,S){x.push(S.precision),x.push(S.outputColorSpace),x.push(S.envMapMode),x.push(S.envMapPMREM),x.push(S.envMapMaxLod),x.push(S.envMapSize),x.push(S.mapUv),x.push(S.alphaMapUv),x.push(S.lightMapUv),x.push(S.aoMapUv),x.push(S.bumpMapUv),x.push(S.normalMapUv),x.push(S.displacementMapUv),x.push(S.emissiveMapUv),x.push(S.metalnessMapUv),x.push(S.roughnessMapUv),x.push(S.anisotropyMapUv),x.push(S.clearcoatMapUv),x.push(S.clearcoatNormalMapUv),x.push(S.clearcoatRoughnessMapUv),x.push(S.diffuseRoughnessMapUv),x.push(S.iridescenceMapUv),x.push(S.iridescenceThicknessMapUv),x.push(S.sheenColorMapUv),x.push(S.sheenRoughnessMapUv),x.push(S.specularMapUv),x.push(S.specularColorMapUv),x.push(S.specularIntensityMapUv),x.push(S.transmissionMapUv),x.push(S.thicknessMapUv),x.push(S.combine),x.push(S.fogExp2),x.push(S.sizeAttenuation),x.push(S.morphTargetsCount),x.push(S.numSunLights),x.push(S.numDirLights),x.push(S.numPointLights),x.push(S.numSpotLights),x.push(S.numSpotLightMaps),x.push(S.numHemiLights),x.push(S.numRectAreaLights),x.push(S.numSunLightShadows),x.push(S.numDirLightShadows),x.push(S.numPointLightShadows),x.push(S.numSpotLightShadows),x.push(S.numSpotLightShadowsWithMaps),x.push(S.numLightProbes),x.push(S.numLightProbeGrids),x.push(S.shadowMapType),x.push(S.toneMapping),x.push(S.numClippingPlanes),x.push(S.numClipIntersection),x.push(S.depthPacking)}function m(x,S){a.disableAll(),S.instancing&&a.enable(0),S.instancingColor&&a.enable(1),S.instancingMorph&&a.enable(2),S.matcap&&a.enable(3),S.envMap&&a.enable(4),S.normalMapObjectSpace&&a.enable(5),S.normalMapTangentSpace&&a.enable(6),S.clearcoat&&a.enable(7),S.iridescence&&a.enable(8),S.alphaTest&&a.enable(9),S.vertexColors&&a.enable(10),S.vertexAlphas&&a.enable(11),S.vertexUv1s&&a.enable(12),S.vertexUv2s&&a.enable(13),S.vertexUv3s&&a.enable(14),S.vertexTangents&&a.enable(15),S.anisotropy&&a.enable(16),S.alphaHash&&a.enable(17),S.batching&&a.enable(18),S.dispersion&&a.enable(19),S.retroreflection&&a.enable(24),S.diffuseRoughness&&a.enable(25),S.batchingColor&&a.enable(20),S.gradientMap&&a.enable(21),S.packedNormalMap&&a.enable(22),S.vertexNormals&&a.enable(23),x.push(a.mask),a.disableAll(),S.fog&&a.enable(0),S.useFog&&a.enable(1),S.flatShading&&a.enable(2),S.logarithmicDepthBuffer&&a.enable(3),S.reversedDepthBuffer&&a.enable(4),S.skinning&&a.enable(5),S.morphTargets&&a.enable(6),S.morphNormals&&a.enable(7),S.morphColors&&a.enable(8),S.premultipliedAlpha&&a.enable(9),S.shadowMapEnabled&&a.enable(10),S.doubleSided&&a.enable(11),S.flipSided&&a.enable(12),S.useDepthPacking&&a.enable(13),S.dithering&&a.enable(14),S.transmission&&a.enable(15),S.sheen&&a.enable(16),S.opaque&&a.enable(17),S.pointsUvs&&a.enable(18),S.decodeVideoTexture&&a.enable(19),S.decodeVideoTextureEmissive&&a.enable(20),S.alphaToCoverage&&a.enable(21),S.numLightProbeGrids>0&&a.enable(22),S.hasPositionAttribute&&a.enable(23),x.push(a.mask)}function _(x){let S=d[x.type],F;if(S){let P=qn[S];F=hf.clone(P.uniforms)}else F=x.uniforms;return F}function E(x,S){let F=h.get(S);return F!==void 0?++F.usedTimes:(F=new Fy(i,S,x,s),c.push(F),h.set(S,F)),F}function M(x){if(--x.usedTimes===0){let S=c.indexOf(x);c[S]=c[c.length-1],c.pop(),h.delete(x.cacheKey),x.destroy()}}function A(x){o.remove(x)}function w(){o.dispose()}return{getParameters:p,getProgramCacheKey:v,getUniforms:_,acquireProgram:E,releaseProgram:M,releaseShaderCache:A,programs:c,dispose:w}}function By(){let i=new WeakMap;function e(a){return i.has(a)}function t(a){let o=i.get(a);return o===void 0&&(o={},i.set(a,o)),o}function n(a){i.delete(a)}function s(a,o,l){i.get(a)[o]=l}function r(){i=new WeakMap}return{has:e,get:t,remove:n,update:s,dispose:r}}function zy(i,e){return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.renderOrder?i.renderOrder-e.renderOrder:i.material.id!==e.material.id?i.material.id-e.material.id:i.materialVariant!==e.materialVariant?i.materialVariant-e.materialVariant:i.z!==e.z?i.z-e.z:i.id-e.id}function Pf(i,e){return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.renderOrder?i.renderOrder-e.renderOrder:i.z!==e.z?e.z-i.z:i.id-e.id}function If(){let i=[],e=0,t=[],n=[],s=[];function r(){e=0,t.length=0,n.length=0,s.length=0}function a(d){let u=0;return d.isInstancedMesh&&(u+=2),d.isSkinnedMesh&&(u+=1),u}function o(d,u,p,v,g,m){let _=i[e];return _===void 0?(_={id:d.id,object:d,geometry:u,material:p,materialVariant:a(d),groupOrder:v,renderOrder:d.renderOrder,z:g,group:m},i[e]=_):(_.id=d.id,_.object=d,_.geometry=u,_.material=p,_.materialVariant=a(d),_.groupOrder=v,_.renderOrder=d.renderOrder,_.z=g,_.group=m),e++,_}function l(d,u,p,v,g,m,_){_.reversedDepth===!0&&(g=-g);let E=o(d,u,p,v,g,m);p.transmission>0?n.push(E):p.transparent===!0?s.push(E):t.push(E)}function c(d,u,p,v,g,m){let _=o(d,u,p,v,g,m);p.transmission>0?n.unshift(_):p.transparent===!0?s.unshift(_):t.unshift(_)}function h(d,u){t.length>1&&t.sort(d||zy),n.length>1&&n.sort(u||Pf),s.length>1&&s.sort(u||Pf)}function f(){for(let d=e,u=i.length;d<u;d++){let p=i[d];if(p.id===null)break;p.id=null,p.object=null,p.geometry=null,p.material=null,p.group=null}}return{opaque:t,transmissive:n,transparent:s,init:r,push:l,unshift:c,finish:f,sort:h}}function Vy(){let i=new WeakMap;function e(n,s){let r=i.get(n),a;return r===void 0?(a=new If,i.set(n,[a])):s>=r.length?(a=new If,r.push(a)):a=r[s],a}function t(){i=new WeakMap}return{get:e,dispose:t}}function Hy(){let i={};return{get:function(e){if(i[e.id]!==void 0)return i[e.id];let t;switch(e.type){case"SunLight":case"DirectionalLight":t={direction:new O,color:new Be};break;case"SpotLight":t={position:new O,direction:new O,color:new Be,distance:0,coneCos:0,penumbraCos:0,decay:0};break;case"PointLight":t={position:new O,color:new Be,distance:0,decay:0};break;case"HemisphereLight":t={direction:new O,skyColor:new Be,groundColor:new Be};break;case"RectAreaLight":t={color:new Be,position:new O,halfWidth:new O,halfHeight:new O};break}return i[e.id]=t,t}}}function Gy(){let i={};return{get:function(e){if(i[e.id]!==void 0)return i[e.id];let t;switch(e.type){case"SunLight":case"DirectionalLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new Ve};break;case"SpotLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new Ve};break;case"PointLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new Ve,shadowCameraNear:1,shadowCameraFar:1e3};break}return i[e.id]=t,t}}}var Wy=0;function Xy(i,e){return(e.castShadow?2:0)-(i.castShadow?2:0)+(e.map?1:0)-(i.map?1:0)}function qy(i){let e=new Hy,t=Gy(),n={version:0,hash:{sunLength:-1,directionalLength:-1,pointLength:-1,spotLength:-1,rectAreaLength:-1,hemiLength:-1,numSunShadows:-1,numDirectionalShadows:-1,numPointShadows:-1,numSpotShadows:-1,numSpotMaps:-1,numLightProbes:-1},ambient:[0,0,0],probe:[],sun:[],sunShadow:[],sunShadowMap:[],sunShadowMatrix:[],sunShadowCascade:[],directional:[],directionalShadow:[],directionalShadowMap:[],directionalShadowMatrix:[],spot:[],spotLightMap:[],spotShadow:[],spotShadowMap:[],spotLightMatrix:[],rectArea:[],rectAreaLTC1:null,rectAreaLTC2:null,point:[],pointShadow:[],pointShadowMap:[],pointShadowMatrix:[],hemi:[],numSpotLightShadowsWithMaps:0,numLightProbes:0};for(let c=0;c<9;c++)n.probe.push(new O);let s=new O,r=new rt,a=new rt;function o(c){let h=0,f=0,d=0;for(let B=0;B<9;B++)n.probe[B].set(0,0,0);let u=0,p=0,v=0,g=0,m=0,_=0,E=0,M=0,A=0,w=0,x=0,S=0,F=0,P=0;c.sort(Xy);for(let B=0,q=c.length;B<q;B++){let I=c[B],G=I.color,X=I.intensity,z=I.distance,ee=null;if(I.shadow&&I.shadow.map&&(I.shadow.map.texture.format===Ii?ee=I.shadow.map.texture:ee=I.shadow.map.depthTexture||I.shadow.map.texture),I.isAmbientLight)h+=G.r*X,f+=G.g*X,d+=G.b*X;else if(I.isLightProbe){for(let H=0;H<9;H++)n.probe[H].addScaledVector(I.sh.coefficients[H],X);P++}else if(I.isSunLight){let H=e.get(I);if(H.color.copy(I.color).multiplyScalar(I.intensity),I.castShadow){let K=I.shadow,te=t.get(I);te.shadowIntensity=K.intensity,te.shadowBias=K.bias,te.shadowNormalBias=K.normalBias,te.shadowRadius=K.radius,te.shadowMapSize.copy(K.mapSize).multiply(K.getFrameExtents()),n.sunShadow[p]=te,n.sunShadowMap[p]=ee;let ve=K.getViewportCount();for(let Ae=0;Ae<ve;Ae++)n.sunShadowMatrix[v+Ae]=K.getMatrix(Ae),n.sunShadowCascade[v+Ae]=K._cascadeData[Ae];v+=ve,p++}n.sun[u]=H,u++}else if(I.isDirectionalLight){let H=e.get(I);if(H.color.copy(I.color).multiplyScalar(I.intensity),I.castShadow){let K=I.shadow,te=t.get(I);te.shadowIntensity=K.intensity,te.shadowBias=K.bias,te.shadowNormalBias=K.normalBias,te.shadowRadius=K.radius,te.shadowMapSize=K.mapSize,n.directionalShadow[g]=te,n.directionalShadowMap[g]=ee,n.directionalShadowMatrix[g]=I.shadow.matrix,A++}n.directional[g]=H,g++}else if(I.isSpotLight){let H=e.get(I);H.position.setFromMatrixPosition(I.matrixWorld),H.color.copy(G).multiplyScalar(X),H.distance=z,H.coneCos=Math.cos(I.angle),H.penumbraCos=Math.cos(I.angle*(1-I.penumbra)),H.decay=I.decay,n.spot[_]=H;let K=I.shadow;if(I.map&&(n.spotLightMap[S]=I.map,S++,K.updateMatrices(I),I.castShadow&&F++),n.spotLightMatrix[_]=K.matrix,I.castShadow){let te=t.get(I);te.shadowIntensity=K.intensity,te.shadowBias=K.bias,te.shadowNormalBias=K.normalBias,te.shadowRadius=K.radius,te.shadowMapSize=K.mapSize,n.spotShadow[_]=te,n.spotShadowMap[_]=ee,x++}_++}else if(I.isRectAreaLight){let H=e.get(I);H.color.copy(G).multiplyScalar(X),H.halfWidth.set(I.width*.5,0,0),H.halfHeight.set(0,I.height*.5,0),n.rectArea[E]=H,E++}else if(I.isPointLight){let H=e.get(I);if(H.color.copy(I.color).multiplyScalar(I.intensity),H.distance=I.distance,H.decay=I.decay,I.castShadow){let K=I.shadow,te=t.get(I);te.shadowIntensity=K.intensity,te.shadowBias=K.bias,te.shadowNormalBias=K.normalBias,te.shadowRadius=K.radius,te.shadowMapSize=K.mapSize,te.shadowCameraNear=K.camera.near,te.shadowCameraFar=K.camera.far,n.pointShadow[m]=te,n.pointShadowMap[m]=ee,n.pointShadowMatrix[m]=I.shadow.matrix,w++}n.point[m]=H,m++}else if(I.isHemisphereLight){let H=e.get(I);H.skyColor.copy(I.color).multiplyScalar(X),H.groundColor.copy(I.groundColor).multiplyScalar(X),n.hemi[M]=H,M++}}E>0&&(i.has("OES_texture_float_linear")===!0?(n.rectAreaLTC1=xe.LTC_FLOAT_1,n.rectAreaLTC2=xe.LTC_FLOAT_2):(n.rectAreaLTC1=xe.LTC_HALF_1,n.rectAreaLTC2=xe.LTC_HALF_2)),n.ambient[0]=h,n.ambient[1]=f,n.ambient[2]=d;let N=n.hash;(N.sunLength!==u||N.directionalLength!==g||N.pointLength!==m||N.spotLength!==_||N.rectAreaLength!==E||N.hemiLength!==M||N.numSunShadows!==p||N.numDirectionalShadows!==A||N.numPointShadows!==w||N.numSpotShadows!==x||N.numSpotMaps!==S||N.numLightProbes!==P)&&(n.sun.length=u,n.directional.length=g,n.spot.length=_,n.rectArea.length=E,n.point.length=m,n.hemi.length=M,n.sunShadow.length=p,n.sunShadowMap.length=p,n.sunShadowMatrix.length=v,n.sunShadowCascade.length=v,n.directionalShadow.length=A,n.directionalShadowMap.length=A,n.directionalShadowMatrix.length=A,n.pointShadow.length=w,n.pointShadowMap.length=w,n.pointShadowMatrix.length=w,n.spotShadow.length=x,n.spotShadowMap.length=x,n.spotLightMatrix.length=x+S-F,n.spotLightMap.length=S,n.numSpotLightShadowsWithMaps=F,n.numLightProbes=P,N.sunLength=u,N.directionalLength=g,N.pointLength=m,N.spotLength=_,N.rectAreaLength=E,N.hemiLength=M,N.numSunShadows=p,N.numDirectionalShadows=A,N.numPointShadows=w,N.numSpotShadows=x,N.numSpotMaps=S,N.numLightProbes=P,n.version=Wy++)}function l(c,h){let f=0,d=0,u=0,p=0,v=0,g=0,m=h.matrixWorldInverse;for(let _=0,E=c.length;_<E;_++){let M=c[_];if(M.isSunLight){let A=n.sun[f];A.direction.setFromMatrixPosition(M.matrixWorld),A.direction.transformDirection(m),f++}else if(M.isDirectionalLight){let A=n.directional[d];A.direction.setFromMatrixPosition(M.matrixWorld),s.setFromMatrixPosition(M.target.matrixWorld),A.direction.sub(s),A.direction.transformDirection(m),d++}else if(M.isSpotLight){let A=n.spot[p];A.position.setFromMatrixPosition(M.matrixWorld),A.position.applyMatrix4(m),A.direction.setFromMatrixPosition(M.matrixWorld),s.setFromMatrixPosition(M.target.matrixWorld),A.direction.sub(s),A.direction.transformDirection(m),p++}else if(M.isRectAreaLight){let A=n.rectArea[v];A.position.setFromMatrixPosition(M.matrixWorld),A.position.applyMatrix4(m),a.identity(),r.copy(M.matrixWorld),r.premultiply(m),a.extractRotation(r),A.halfWidth.set(M.width*.5,0,0),A.halfHeight.set(0,M.height*.5,0),A.halfWidth.applyMatrix4(a),A.halfHeight.applyMatrix4(a),v++}else if(M.isPointLight){let A=n.point[u];A.position.setFromMatrixPosition(M.matrixWorld),A.position.applyMatrix4(m),u++}else if(M.isHemisphereLight){let A=n.hemi[g];A.direction.setFromMatrixPosition(M.matrixWorld),A.direction.transformDirection(m),g++}}}return{setup:o,setupView:l,state:n}}function Lf(i){let e=new qy(i),t=[],n=[],s=[];function r(f){h.camera=f,t.length=0,n.length=0,s.length=0}function a(f){f.isLightProbeGrid?s.push(f):t.push(f)}function o(f){n.push(f)}function l(){e.setup(t),s.sort((f,d)=>f.priority-d.priority||f.id-d.id)}function c(f){e.setupView(t,f)}let h={lightsArray:t,shadowsArray:n,lightProbeGridArray:s,camera:null,lights:e,transmissionRenderTarget:{},textureUnits:0};return{init:r,state:h,setupLights:l,setupLightsView:c,pushLight:a,pushShadow:o}}function $y(i){let e=new WeakMap;function t(s,r=0){let a=e.get(s),o;return a===void 0?(o=new Lf(i),e.set(s,[o])):r>=a.length?(o=new Lf(i),a.push(o)):o=a[r],o}function n(){e=new WeakMap}return{get:t,dispose:n}}var Yy=`void main() {
+	gl_Position = vec4( position, 1.0 );
+}`,Jy=`uniform sampler2D shadow_pass;
+uniform vec2 resolution;
+uniform float radius;
+void main() {
+	const float samples = float( VSM_SAMPLES );
+	float mean = 0.0;
+	float squared_mean = 0.0;
+	float uvStride = samples <= 1.0 ? 0.0 : 2.0 / ( samples - 1.0 );
+	float uvStart = samples <= 1.0 ? 0.0 : - 1.0;
+	for ( float i = 0.0; i < samples; i ++ ) {
+		float uvOffset = uvStart + i * uvStride;
+		#ifdef HORIZONTAL_PASS
+			vec2 distribution = texture2D( shadow_pass, ( gl_FragCoord.xy + vec2( uvOffset, 0.0 ) * radius ) / resolution ).rg;
+			mean += distribution.x;
+			squared_mean += distribution.y * distribution.y + distribution.x * distribution.x;
+		#else
+			float depth = texture2D( shadow_pass, ( gl_FragCoord.xy + vec2( 0.0, uvOffset ) * radius ) / resolution ).r;
+			mean += depth;
+			squared_mean += depth * depth;
+		#endif
+	}
+	mean = mean / samples;
+	squared_mean = squared_mean / samples;
+	float std_dev = sqrt( max( 0.0, squared_mean - mean * mean ) );
+	gl_FragColor = vec4( mean, std_dev, 0.0, 1.0 );
+}`,Zy=[new O(1,0,0),new O(-1,0,0),new O(0,1,0),new O(0,-1,0),new O(0,0,1),new O(0,0,-1)],Ky=[new O(0,-1,0),new O(0,-1,0),new O(0,0,1),new O(0,0,-1),new O(0,-1,0),new O(0,-1,0)],Nf=new rt,qr=new O,ah=new O;function jy(i,e,t){let n=new Zi,s=new Ve,r=new Ve,a=new et,o=new ho,l=new uo,c={},h=t.maxTextureSize,f={[Pi]:$t,[$t]:Pi,[bn]:bn},d=new qt({defines:{VSM_SAMPLES:8},uniforms:{shadow_pass:{value:null},resolution:{value:new Ve},radius:{value:4}},vertexShader:Yy,fragmentShader:Jy}),u=d.clone();u.defines.HORIZONTAL_PASS=1;let p=new Qt;p.setAttribute("position",new vt(new Float32Array([-1,-1,.5,3,-1,.5,-1,3,.5]),3));let v=new en(p,d),g=this;this.enabled=!1,this.autoUpdate=!0,this.needsUpdate=!1,this.type=Or;let m=this.type;this.render=function(w,x,S){if(g.enabled===!1||g.autoUpdate===!1&&g.needsUpdate===!1||w.length===0)return;this.type===Ad&&(Pe("WebGLShadowMap: PCFSoftShadowMap has been removed. Using PCFShadowMap instead."),this.type=Or);let F=i.getRenderTarget(),P=i.getActiveCubeFace(),N=i.getActiveMipmapLevel(),B=i.state;B.setBlending(Ki),B.buffers.depth.getReversed()===!0?B.buffers.color.setClear(0,0,0,0):B.buffers.color.setClear(1,1,1,1),B.buffers.depth.setTest(!0),B.setScissorTest(!1);let q=m!==this.type;q&&x.traverse(function(I){I.material&&(Array.isArray(I.material)?I.material.forEach(G=>G.needsUpdate=!0):I.material.needsUpdate=!0)});for(let I=0,G=w.length;I<G;I++){let X=w[I],z=X.shadow;if(z===void 0){Pe("WebGLShadowMap:",X,"has no shadow.");continue}if(z.autoUpdate===!1&&z.needsUpdate===!1)continue;s.copy(z.mapSize);let ee=z.getFrameExtents();s.multiply(ee),r.copy(z.mapSize),(s.x>h||s.y>h)&&(s.x>h&&(r.x=Math.floor(h/ee.x),s.x=r.x*ee.x,z.mapSize.x=r.x),s.y>h&&(r.y=Math.floor(h/ee.y),s.y=r.y*ee.y,z.mapSize.y=r.y));let H=i.state.buffers.depth.getReversed();if(z.camera._reversedDepth=H,z.map===null||q===!0){if(z.map!==null&&(z.map.depthTexture!==null&&(z.map.depthTexture.dispose(),z.map.depthTexture=null),z.map.dispose()),this.type===Fs){if(X.isPointLight){Pe("WebGLShadowMap: VSM shadow maps are not supported for PointLights. Use PCF or BasicShadowMap instead.");continue}z.map=new on(s.x,s.y,{format:Ii,type:Ln,minFilter:Ut,magFilter:Ut,generateMipmaps:!1}),z.map.texture.name=X.name+".shadowMap",z.map.depthTexture=new ci(s.x,s.y,hn),z.map.depthTexture.name=X.name+".shadowMapDepth",z.map.depthTexture.format=li,z.map.depthTexture.compareFunction=null,z.map.depthTexture.minFilter=_t,z.map.depthTexture.magFilter=_t}else X.isPointLight?(z.map=new Yr(s.x),z.map.depthTexture=new Pr(s.x,In)):(z.map=new on(s.x,s.y),z.map.depthTexture=new ci(s.x,s.y,In)),z.map.depthTexture.name=X.name+".shadowMap",z.map.depthTexture.format=li,this.type===Or?(z.map.depthTexture.compareFunction=H?jc:Kc,z.map.depthTexture.minFilter=Ut,z.map.depthTexture.magFilter=Ut):(z.map.depthTexture.compareFunction=null,z.map.depthTexture.minFilter=_t,z.map.depthTexture.magFilter=_t);z.camera.updateProjectionMatrix()}z.map.isWebGLCubeRenderTarget!==!0&&(z.map.width!==s.x||z.map.height!==s.y)&&z.map.setSize(s.x,s.y);let K=z.map.isWebGLCubeRenderTarget?6:z.getViewportCount();X.isPointLight!==!0&&z.updateMatrices(X,S);let te=(z.camera.layers.mask&4294967294)!==0?z.camera.layers:S.layers;for(let ve=0;ve<K;ve++){let Ae=z.getCamera(ve);if(X.isPointLight){let $=z.camera,se=z.matrix,pe=X.distance||$.far;pe!==$.far&&($.far=pe,$.updateProjectionMatrix()),qr.setFromMatrixPosition(X.matrixWorld),$.position.copy(qr),ah.copy($.position),ah.add(Zy[ve]),$.up.copy(Ky[ve]),$.lookAt(ah),$.updateMatrixWorld(),se.makeTranslation(-qr.x,-qr.y,-qr.z),Nf.multiplyMatrices($.projectionMatrix,$.matrixWorldInverse),z._frustum.setFromProjectionMatrix(Nf,$.coordinateSystem,$.reversedDepth)}if(z.map.isWebGLCubeRenderTarget)i.setRenderTarget(z.map,ve),i.clear();else{ve===0&&(i.setRenderTarget(z.map),i.clear());let $=z.getViewport(ve);a.set(r.x*$.x,r.y*$.y,r.x*$.z,r.y*$.w),B.viewport(a)}n=z.getFrustum(ve),M(x,S,Ae,X,te,this.type)}z.isPointLightShadow!==!0&&this.type===Fs&&_(z,S),z.needsUpdate=!1}m=this.type,g.needsUpdate=!1,i.setRenderTarget(F,P,N)};function _(w,x){let S=e.update(v);d.defines.VSM_SAMPLES!==w.blurSamples&&(d.defines.VSM_SAMPLES=w.blurSamples,u.defines.VSM_SAMPLES=w.blurSamples,d.needsUpdate=!0,u.needsUpdate=!0),w.mapPass===null?w.mapPass=new on(s.x,s.y,{format:Ii,type:Ln}):(w.mapPass.width!==w.map.width||w.mapPass.height!==w.map.height)&&w.mapPass.setSize(w.map.width,w.map.height),d.uniforms.shadow_pass.value=w.map.depthTexture,d.uniforms.resolution.value.set(w.map.width,w.map.height),d.uniforms.radius.value=w.radius,i.setRenderTarget(w.mapPass),i.clear(),i.renderBufferDirect(x,null,S,d,v,null),u.uniforms.shadow_pass.value=w.mapPass.texture,u.uniforms.resolution.value.set(w.map.width,w.map.height),u.uniforms.radius.value=w.radius,i.setRenderTarget(w.map),i.clear(),i.renderBufferDirect(x,null,S,u,v,null)}function E(w,x,S,F){let P=null,N=S.isPointLight===!0?w.customDistanceMaterial:w.customDepthMaterial;if(N!==void 0)P=N;else if(P=S.isPointLight===!0?l:o,i.localClippingEnabled&&x.clipShadows===!0&&Array.isArray(x.clippingPlanes)&&x.clippingPlanes.length!==0||x.displacementMap&&x.displacementScale!==0||x.alphaMap&&x.alphaTest>0||x.map&&x.alphaTest>0||x.alphaToCoverage===!0){let B=P.uuid,q=x.uuid,I=c[B];I===void 0&&(I={},c[B]=I);let G=I[q];G===void 0&&(G=P.clone(),I[q]=G,x.addEventListener("dispose",A)),P=G}if(P.visible=x.visible,P.wireframe=x.wireframe,F===Fs?P.side=x.shadowSide!==null?x.shadowSide:x.side:P.side=x.shadowSide!==null?x.shadowSide:f[x.side],P.alphaMap=x.alphaMap,P.alphaTest=x.alphaToCoverage===!0?.5:x.alphaTest,P.map=x.map,P.clipShadows=x.clipShadows,P.clippingPlanes=x.clippingPlanes,P.clipIntersection=x.clipIntersection,P.displacementMap=x.displacementMap,P.displacementScale=x.displacementScale,P.displacementBias=x.displacementBias,P.wireframeLinewidth=x.wireframeLinewidth,P.linewidth=x.linewidth,S.isPointLight===!0&&P.isMeshDistanceMaterial===!0){let B=i.properties.get(P);B.light=S}return P}function M(w,x,S,F,P,N){if(w.visible===!1)return;if(w.layers.test(P)&&(w.isMesh||w.isLine||w.isPoints)&&(w.castShadow||w.receiveShadow&&N===Fs)&&(!w.frustumCulled||w.intersectsFrustum(n))){w.modelViewMatrix.multiplyMatrices(S.matrixWorldInverse,w.matrixWorld);let I=e.update(w),G=w.material;if(Array.isArray(G)){let X=I.groups;for(let z=0,ee=X.length;z<ee;z++){let H=X[z],K=G[H.materialIndex];if(K&&K.visible){let te=E(w,K,F,N);w.onBeforeShadow(i,w,x,S,I,te,H),i.renderBufferDirect(S,null,I,te,w,H),w.onAfterShadow(i,w,x,S,I,te,H)}}}else if(G.visible){let X=E(w,G,F,N);w.onBeforeShadow(i,w,x,S,I,X,null),i.renderBufferDirect(S,null,I,X,w,null),w.onAfterShadow(i,w,x,S,I,X,null)}}let q=w.children;for(let I=0,G=q.length;I<G;I++)M(q[I],x,S,F,P,N)}function A(w){w.target.removeEventListener("dispose",A);for(let S in c){let F=c[S],P=w.target.uuid;P in F&&(F[P].dispose(),delete F[P])}}}function Qy(i,e){function t(){let C=!1,j=new et,Y=null,ce=new et(0,0,0,0);return{setMask:function(re){Y!==re&&!C&&(i.colorMask(re,re,re,re),Y=re)},setLocked:function(re){C=re},setClear:function(re,oe,we,ke,ie){ie===!0&&(re*=ke,oe*=ke,we*=ke),j.set(re,oe,we,ke),ce.equals(j)===!1&&(i.clearColor(re,oe,we,ke),ce.copy(j))},reset:function(){C=!1,Y=null,ce.set(-1,0,0,0)}}}function n(){let C=!1,j=!1,Y=null,ce=null,re=null;return{setReversed:function(oe){if(j!==oe){let we=e.get("EXT_clip_control");oe?we.clipControlEXT(we.LOWER_LEFT_EXT,we.ZERO_TO_ONE_EXT):we.clipControlEXT(we.LOWER_LEFT_EXT,we.NEGATIVE_ONE_TO_ONE_EXT),j=oe;let ke=re;re=null,this.setClear(ke)}},getReversed:function(){return j},setTest:function(oe){oe?me(i.DEPTH_TEST):Ie(i.DEPTH_TEST)},setMask:function(oe){Y!==oe&&!C&&(i.depthMask(oe),Y=oe)},setFunc:function(oe){if(j&&(oe=rf[oe]),ce!==oe){switch(oe){case Xa:i.depthFunc(i.NEVER);break;case qa:i.depthFunc(i.ALWAYS);break;case $a:i.depthFunc(i.LESS);break;case Es:i.depthFunc(i.LEQUAL);break;case Ya:i.depthFunc(i.EQUAL);break;case Ja:i.depthFunc(i.GEQUAL);break;case Za:i.depthFunc(i.GREATER);break;case Ka:i.depthFunc(i.NOTEQUAL);break;default:i.depthFunc(i.LEQUAL)}ce=oe}},setLocked:function(oe){C=oe},setClear:function(oe){re!==oe&&(re=oe,j&&(oe=1-oe),i.clearDepth(oe))},reset:function(){C=!1,Y=null,ce=null,re=null,j=!1}}}function s(){let C=!1,j=null,Y=null,ce=null,re=null,oe=null,we=null,ke=null,ie=null;return{setTest:function(Ee){C||(Ee?me(i.STENCIL_TEST):Ie(i.STENCIL_TEST))},setMask:function(Ee){j!==Ee&&!C&&(i.stencilMask(Ee),j=Ee)},setFunc:function(Ee,Oe,ge){(Y!==Ee||ce!==Oe||re!==ge)&&(i.stencilFunc(Ee,Oe,ge),Y=Ee,ce=Oe,re=ge)},setOp:function(Ee,Oe,ge){(oe!==Ee||we!==Oe||ke!==ge)&&(i.stencilOp(Ee,Oe,ge),oe=Ee,we=Oe,ke=ge)},setLocked:function(Ee){C=Ee},setClear:function(Ee){ie!==Ee&&(i.clearStencil(Ee),ie=Ee)},reset:function(){C=!1,j=null,Y=null,ce=null,re=null,oe=null,we=null,ke=null,ie=null}}}let r=new t,a=new n,o=new s,l={},c=new WeakMap,h={},f={},d={},u=new WeakMap,p=[],v=null,g=!1,m=null,_=null,E=null,M=null,A=null,w=null,x=null,S=new Be(0,0,0),F=0,P=!1,N=null,B=null,q=null,I=null,G=null,X=i.getParameter(i.MAX_COMBINED_TEXTURE_IMAGE_UNITS),z=!1,ee=0,H=i.getParameter(i.VERSION);H.indexOf("WebGL")!==-1?(ee=parseFloat(/^WebGL (\d)/.exec(H)[1]),z=ee>=1):H.indexOf("OpenGL ES")!==-1&&(ee=parseFloat(/^OpenGL ES (\d)/.exec(H)[1]),z=ee>=2);let K=null,te={},ve=i.getParameter(i.SCISSOR_BOX),Ae=i.getParameter(i.VIEWPORT),$=new et().fromArray(ve),se=new et().fromArray(Ae);function pe(C,j,Y,ce){let re=new Uint8Array(4),oe=i.createTexture();i.bindTexture(C,oe),i.texParameteri(C,i.TEXTURE_MIN_FILTER,i.NEAREST),i.texParameteri(C,i.TEXTURE_MAG_FILTER,i.NEAREST);for(let we=0;we<Y;we++)C===i.TEXTURE_3D||C===i.TEXTURE_2D_ARRAY?i.texImage3D(j,0,i.RGBA,1,1,ce,0,i.RGBA,i.UNSIGNED_BYTE,re):i.texImage2D(j+we,0,i.RGBA,1,1,0,i.RGBA,i.UNSIGNED_BYTE,re);return oe}let Te={};Te[i.TEXTURE_2D]=pe(i.TEXTURE_2D,i.TEXTURE_2D,1),Te[i.TEXTURE_CUBE_MAP]=pe(i.TEXTURE_CUBE_MAP,i.TEXTURE_CUBE_MAP_POSITIVE_X,6),Te[i.TEXTURE_2D_ARRAY]=pe(i.TEXTURE_2D_ARRAY,i.TEXTURE_2D_ARRAY,1,1),Te[i.TEXTURE_3D]=pe(i.TEXTURE_3D,i.TEXTURE_3D,1,1),r.setClear(0,0,0,1),a.setClear(1),o.setClear(0),me(i.DEPTH_TEST),a.setFunc(Es),Jt(!1),ct(Rc),me(i.CULL_FACE),Nt(Ki);function me(C){h[C]!==!0&&(i.enable(C),h[C]=!0)}function Ie(C){h[C]!==!1&&(i.disable(C),h[C]=!1)}function at(C,j){return d[C]!==j?(i.bindFramebuffer(C,j),d[C]=j,C===i.DRAW_FRAMEBUFFER&&(d[i.FRAMEBUFFER]=j),C===i.FRAMEBUFFER&&(d[i.DRAW_FRAMEBUFFER]=j),!0):!1}function Ce(C,j){let Y=p,ce=!1;if(C){Y=u.get(j),Y===void 0&&(Y=[],u.set(j,Y));let re=C.textures;if(Y.length!==re.length||Y[0]!==i.COLOR_ATTACHMENT0){for(let oe=0,we=re.length;oe<we;oe++)Y[oe]=i.COLOR_ATTACHMENT0+oe;Y.length=re.length,ce=!0}}else Y[0]!==i.BACK&&(Y[0]=i.BACK,ce=!0);ce&&i.drawBuffers(Y)}function $e(C){return v!==C?(i.useProgram(C),v=C,!0):!1}let je={[ji]:i.FUNC_ADD,[Ed]:i.FUNC_SUBTRACT,[Cd]:i.FUNC_REVERSE_SUBTRACT};je[Rd]=i.MIN,je[Pd]=i.MAX;let He={[Id]:i.ZERO,[Ld]:i.ONE,[Nd]:i.SRC_COLOR,[Nc]:i.SRC_ALPHA,[Bd]:i.SRC_ALPHA_SATURATE,[Od]:i.DST_COLOR,[Fd]:i.DST_ALPHA,[Dd]:i.ONE_MINUS_SRC_COLOR,[Dc]:i.ONE_MINUS_SRC_ALPHA,[kd]:i.ONE_MINUS_DST_COLOR,[Ud]:i.ONE_MINUS_DST_ALPHA,[zd]:i.CONSTANT_COLOR,[Vd]:i.ONE_MINUS_CONSTANT_COLOR,[Hd]:i.CONSTANT_ALPHA,[Gd]:i.ONE_MINUS_CONSTANT_ALPHA};function Nt(C,j,Y,ce,re,oe,we,ke,ie,Ee){if(C===Ki){g===!0&&(Ie(i.BLEND),g=!1);return}if(g===!1&&(me(i.BLEND),g=!0),C!==Td){if(C!==m||Ee!==P){if((_!==ji||A!==ji)&&(i.blendEquation(i.FUNC_ADD),_=ji,A=ji),Ee)switch(C){case Us:i.blendFuncSeparate(i.ONE,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE_MINUS_SRC_ALPHA);break;case Pc:i.blendFunc(i.ONE,i.ONE);break;case Ic:i.blendFuncSeparate(i.ZERO,i.ONE_MINUS_SRC_COLOR,i.ZERO,i.ONE);break;case Lc:i.blendFuncSeparate(i.DST_COLOR,i.ONE_MINUS_SRC_ALPHA,i.ZERO,i.ONE);break;default:Le("WebGLState: Invalid blending: ",C);break}else switch(C){case Us:i.blendFuncSeparate(i.SRC_ALPHA,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE_MINUS_SRC_ALPHA);break;case Pc:i.blendFuncSeparate(i.SRC_ALPHA,i.ONE,i.ONE,i.ONE);break;case Ic:Le("WebGLState: SubtractiveBlending requires material.premultipliedAlpha = true");break;case Lc:Le("WebGLState: MultiplyBlending requires material.premultipliedAlpha = true");break;default:Le("WebGLState: Invalid blending: ",C);break}E=null,M=null,w=null,x=null,S.set(0,0,0),F=0,m=C,P=Ee}return}re=re||j,oe=oe||Y,we=we||ce,(j!==_||re!==A)&&(i.blendEquationSeparate(je[j],je[re]),_=j,A=re),(Y!==E||ce!==M||oe!==w||we!==x)&&(i.blendFuncSeparate(He[Y],He[ce],He[oe],He[we]),E=Y,M=ce,w=oe,x=we),(ke.equals(S)===!1||ie!==F)&&(i.blendColor(ke.r,ke.g,ke.b,ie),S.copy(ke),F=ie),m=C,P=!1}function bt(C,j){C.side===bn?Ie(i.CULL_FACE):me(i.CULL_FACE);let Y=C.side===$t;j&&(Y=!Y),Jt(Y),C.blending===Us&&C.transparent===!1?Nt(Ki):Nt(C.blending,C.blendEquation,C.blendSrc,C.blendDst,C.blendEquationAlpha,C.blendSrcAlpha,C.blendDstAlpha,C.blendColor,C.blendAlpha,C.premultipliedAlpha),a.setFunc(C.depthFunc),a.setTest(C.depthTest),a.setMask(C.depthWrite),r.setMask(C.colorWrite);let ce=C.stencilWrite;o.setTest(ce),ce&&(o.setMask(C.stencilWriteMask),o.setFunc(C.stencilFunc,C.stencilRef,C.stencilFuncMask),o.setOp(C.stencilFail,C.stencilZFail,C.stencilZPass)),Ct(C.polygonOffset,C.polygonOffsetFactor,C.polygonOffsetUnits),C.alphaToCoverage===!0?me(i.SAMPLE_ALPHA_TO_COVERAGE):Ie(i.SAMPLE_ALPHA_TO_COVERAGE)}function Jt(C){N!==C&&(C?i.frontFace(i.CW):i.frontFace(i.CCW),N=C)}function ct(C){C!==Md?(me(i.CULL_FACE),C!==B&&(C===Rc?i.cullFace(i.BACK):C===wd?i.cullFace(i.FRONT):i.cullFace(i.FRONT_AND_BACK))):Ie(i.CULL_FACE),B=C}function Dn(C){C!==q&&(z&&i.lineWidth(C),q=C)}function Ct(C,j,Y){C?(me(i.POLYGON_OFFSET_FILL),(I!==j||G!==Y)&&(I=j,G=Y,a.getReversed()&&(j=-j,Y=-Y),i.polygonOffset(j,Y))):Ie(i.POLYGON_OFFSET_FILL)}function dn(C){C?me(i.SCISSOR_TEST):Ie(i.SCISSOR_TEST)}function fn(C){C===void 0&&(C=i.TEXTURE0+X-1),K!==C&&(i.activeTexture(C),K=C)}function pn(C,j,Y){Y===void 0&&(K===null?Y=i.TEXTURE0+X-1:Y=K);let ce=te[Y];ce===void 0&&(ce={type:void 0,texture:void 0},te[Y]=ce),(ce.type!==C||ce.texture!==j)&&(K!==Y&&(i.activeTexture(Y),K=Y),i.bindTexture(C,j||Te[C]),ce.type=C,ce.texture=j)}function D(){let C=te[K];C!==void 0&&C.type!==void 0&&(i.bindTexture(C.type,null),C.type=void 0,C.texture=void 0)}function mn(){try{i.compressedTexImage2D(...arguments)}catch(C){Le("WebGLState:",C)}}function ot(){try{i.compressedTexImage3D(...arguments)}catch(C){Le("WebGLState:",C)}}function lt(){try{i.texSubImage2D(...arguments)}catch(C){Le("WebGLState:",C)}}function fe(){try{i.texSubImage3D(...arguments)}catch(C){Le("WebGLState:",C)}}function St(){try{i.compressedTexSubImage2D(...arguments)}catch(C){Le("WebGLState:",C)}}function Re(){try{i.compressedTexSubImage3D(...arguments)}catch(C){Le("WebGLState:",C)}}function Fe(){try{i.texStorage2D(...arguments)}catch(C){Le("WebGLState:",C)}}function T(){try{i.texStorage3D(...arguments)}catch(C){Le("WebGLState:",C)}}function y(){try{i.texImage2D(...arguments)}catch(C){Le("WebGLState:",C)}}function k(){try{i.texImage3D(...arguments)}catch(C){Le("WebGLState:",C)}}function ne(C){return f[C]!==void 0?f[C]:i.getParameter(C)}function Q(C,j){f[C]!==j&&(i.pixelStorei(C,j),f[C]=j)}function ae(C){$.equals(C)===!1&&(i.scissor(C.x,C.y,C.z,C.w),$.copy(C))}function ue(C){se.equals(C)===!1&&(i.viewport(C.x,C.y,C.z,C.w),se.copy(C))}function J(C,j){let Y=c.get(j);Y===void 0&&(Y=new WeakMap,c.set(j,Y));let ce=Y.get(C);ce===void 0&&(ce=i.getUniformBlockIndex(j,C.name),i.uniformBlockBinding(j,ce,ce),Y.set(C,ce))}function Z(C,j,Y){let re=c.get(j).get(C);l[re]!==Y&&(i.bindBufferBase(i.UNIFORM_BUFFER,re,Y),l[re]=Y)}function le(){i.disable(i.BLEND),i.disable(i.CULL_FACE),i.disable(i.DEPTH_TEST),i.disable(i.POLYGON_OFFSET_FILL),i.disable(i.SCISSOR_TEST),i.disable(i.STENCIL_TEST),i.disable(i.SAMPLE_ALPHA_TO_COVERAGE),i.blendEquation(i.FUNC_ADD),i.blendFunc(i.ONE,i.ZERO),i.blendFuncSeparate(i.ONE,i.ZERO,i.ONE,i.ZERO),i.blendColor(0,0,0,0),i.colorMask(!0,!0,!0,!0),i.clearColor(0,0,0,0),i.depthMask(!0),i.depthFunc(i.LESS),a.setReversed(!1),i.clearDepth(1),i.stencilMask(4294967295),i.stencilFunc(i.ALWAYS,0,4294967295),i.stencilOp(i.KEEP,i.KEEP,i.KEEP),i.clearStencil(0),i.cullFace(i.BACK),i.frontFace(i.CCW),i.polygonOffset(0,0),i.activeTexture(i.TEXTURE0),i.bindFramebuffer(i.FRAMEBUFFER,null),i.bindFramebuffer(i.DRAW_FRAMEBUFFER,null),i.bindFramebuffer(i.READ_FRAMEBUFFER,null),i.useProgram(null),i.lineWidth(1),i.scissor(0,0,i.canvas.width,i.canvas.height),i.viewport(0,0,i.canvas.width,i.canvas.height),i.pixelStorei(i.PACK_ALIGNMENT,4),i.pixelStorei(i.UNPACK_ALIGNMENT,4),i.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,!1),i.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,!1),i.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,i.BROWSER_DEFAULT_WEBGL),i.pixelStorei(i.PACK_ROW_LENGTH,0),i.pixelStorei(i.PACK_SKIP_PIXELS,0),i.pixelStorei(i.PACK_SKIP_ROWS,0),i.pixelStorei(i.UNPACK_ROW_LENGTH,0),i.pixelStorei(i.UNPACK_IMAGE_HEIGHT,0),i.pixelStorei(i.UNPACK_SKIP_PIXELS,0),i.pixelStorei(i.UNPACK_SKIP_ROWS,0),i.pixelStorei(i.UNPACK_SKIP_IMAGES,0),h={},f={},K=null,te={},d={},l={},u=new WeakMap,p=[],v=null,g=!1,m=null,_=null,E=null,M=null,A=null,w=null,x=null,S=new Be(0,0,0),F=0,P=!1,N=null,B=null,q=null,I=null,G=null,$.set(0,0,i.canvas.width,i.canvas.height),se.set(0,0,i.canvas.width,i.canvas.height),r.reset(),a.reset(),o.reset()}return{buffers:{color:r,depth:a,stencil:o},enable:me,disable:Ie,bindFramebuffer:at,drawBuffers:Ce,useProgram:$e,setBlending:Nt,setMaterial:bt,setFlipSided:Jt,setCullFace:ct,setLineWidth:Dn,setPolygonOffset:Ct,setScissorTest:dn,activeTexture:fn,bindTexture:pn,unbindTexture:D,compressedTexImage2D:mn,compressedTexImage3D:ot,texImage2D:y,texImage3D:k,pixelStorei:Q,getParameter:ne,updateUBOMapping:J,uniformBlockBinding:Z,texStorage2D:Fe,texStorage3D:T,texSubImage2D:lt,texSubImage3D:fe,compressedTexSubImage2D:St,compressedTexSubImage3D:Re,scissor:ae,viewport:ue,reset:le}}function ev(i,e,t,n,s,r,a){let o=e.has("WEBGL_multisampled_render_to_texture")?e.get("WEBGL_multisampled_render_to_texture"):null,l=typeof navigator>"u"?!1:/OculusBrowser/g.test(navigator.userAgent),c=new Ve,h=new WeakMap,f=new Set,d,u=new WeakMap,p=new Set,v=new FinalizationRegistry(T=>p.delete(T)),g=!1;try{g=typeof OffscreenCanvas<"u"&&new OffscreenCanvas(1,1).getContext("2d")!==null}catch{}function m(T,y){return g?new OffscreenCanvas(T,y):_r("canvas")}function _(T,y,k){let ne=1,Q=Fe(T);if((Q.width>k||Q.height>k)&&(ne=k/Math.max(Q.width,Q.height)),ne<1)if(typeof HTMLImageElement<"u"&&T instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&T instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&T instanceof ImageBitmap||typeof VideoFrame<"u"&&T instanceof VideoFrame){let ae=Math.floor(ne*Q.width),ue=Math.floor(ne*Q.height);d===void 0&&(d=m(ae,ue));let J=y?m(ae,ue):d;return J.width=ae,J.height=ue,J.getContext("2d").drawImage(T,0,0,ae,ue),Pe("WebGLRenderer: Texture has been resized from ("+Q.width+"x"+Q.height+") to ("+ae+"x"+ue+")."),J}else return"data"in T&&Pe("WebGLRenderer: Image in DataTexture is too big ("+Q.width+"x"+Q.height+")."),T;return T}function E(T){return T.generateMipmaps}function M(T){i.generateMipmap(T)}function A(T){return T.isWebGLCubeRenderTarget?i.TEXTURE_CUBE_MAP:T.isWebGL3DRenderTarget?i.TEXTURE_3D:T.isWebGLArrayRenderTarget||T.isCompressedArrayTexture?i.TEXTURE_2D_ARRAY:i.TEXTURE_2D}function w(T,y,k,ne,Q,ae=!1){if(T!==null){if(i[T]!==void 0)return i[T];Pe("WebGLRenderer: Attempt to use non-existing WebGL internal format '"+T+"'")}let ue;ne&&(ue=e.get("EXT_texture_norm16"),ue||Pe("WebGLRenderer: Unable to use normalized textures without EXT_texture_norm16 extension"));let J=y;if(y===i.RED&&(k===i.FLOAT&&(J=i.R32F),k===i.HALF_FLOAT&&(J=i.R16F),k===i.UNSIGNED_BYTE&&(J=i.R8),k===i.UNSIGNED_SHORT&&ue&&(J=ue.R16_EXT),k===i.SHORT&&ue&&(J=ue.R16_SNORM_EXT)),y===i.RED_INTEGER&&(k===i.UNSIGNED_BYTE&&(J=i.R8UI),k===i.UNSIGNED_SHORT&&(J=i.R16UI),k===i.UNSIGNED_INT&&(J=i.R32UI),k===i.BYTE&&(J=i.R8I),k===i.SHORT&&(J=i.R16I),k===i.INT&&(J=i.R32I)),y===i.RG&&(k===i.FLOAT&&(J=i.RG32F),k===i.HALF_FLOAT&&(J=i.RG16F),k===i.UNSIGNED_BYTE&&(J=i.RG8),k===i.UNSIGNED_SHORT&&ue&&(J=ue.RG16_EXT),k===i.SHORT&&ue&&(J=ue.RG16_SNORM_EXT)),y===i.RG_INTEGER&&(k===i.UNSIGNED_BYTE&&(J=i.RG8UI),k===i.UNSIGNED_SHORT&&(J=i.RG16UI),k===i.UNSIGNED_INT&&(J=i.RG32UI),k===i.BYTE&&(J=i.RG8I),k===i.SHORT&&(J=i.RG16I),k===i.INT&&(J=i.RG32I)),y===i.RGB_INTEGER&&(k===i.UNSIGNED_BYTE&&(J=i.RGB8UI),k===i.UNSIGNED_SHORT&&(J=i.RGB16UI),k===i.UNSIGNED_INT&&(J=i.RGB32UI),k===i.BYTE&&(J=i.RGB8I),k===i.SHORT&&(J=i.RGB16I),k===i.INT&&(J=i.RGB32I)),y===i.RGBA_INTEGER&&(k===i.UNSIGNED_BYTE&&(J=i.RGBA8UI),k===i.UNSIGNED_SHORT&&(J=i.RGBA16UI),k===i.UNSIGNED_INT&&(J=i.RGBA32UI),k===i.BYTE&&(J=i.RGBA8I),k===i.SHORT&&(J=i.RGBA16I),k===i.INT&&(J=i.RGBA32I)),y===i.RGB&&(k===i.UNSIGNED_SHORT&&ue&&(J=ue.RGB16_EXT),k===i.SHORT&&ue&&(J=ue.RGB16_SNORM_EXT),k===i.UNSIGNED_INT_5_9_9_9_REV&&(J=i.RGB9_E5),k===i.UNSIGNED_INT_10F_11F_11F_REV&&(J=i.R11F_G11F_B10F)),y===i.RGBA){let Z=ae?yr:Xe.getTransfer(Q);k===i.FLOAT&&(J=i.RGBA32F),k===i.HALF_FLOAT&&(J=i.RGBA16F),k===i.UNSIGNED_BYTE&&(J=Z===Ze?i.SRGB8_ALPHA8:i.RGBA8),k===i.UNSIGNED_SHORT&&ue&&(J=ue.RGBA16_EXT),k===i.SHORT&&ue&&(J=ue.RGBA16_SNORM_EXT),k===i.UNSIGNED_SHORT_4_4_4_4&&(J=i.RGBA4),k===i.UNSIGNED_SHORT_5_5_5_1&&(J=i.RGB5_A1)}return(J===i.R16F||J===i.R32F||J===i.RG16F||J===i.RG32F||J===i.RGBA16F||J===i.RGBA32F)&&e.get("EXT_color_buffer_float"),J}function x(T,y){let k;return T?y===null||y===In||y===es?k=i.DEPTH24_STENCIL8:y===hn?k=i.DEPTH32F_STENCIL8:y===ks&&(k=i.DEPTH24_STENCIL8,Pe("DepthTexture: 16 bit depth attachment is not supported with stencil. Using 24-bit attachment.")):y===null||y===In||y===es?k=i.DEPTH_COMPONENT24:y===hn?k=i.DEPTH_COMPONENT32F:y===ks&&(k=i.DEPTH_COMPONENT16),k}function S(T,y){return E(T)===!0||T.isFramebufferTexture&&T.minFilter!==_t&&T.minFilter!==Ut?Math.log2(Math.max(y.width,y.height))+1:T.mipmaps.length>0?T.mipmaps.length:T.isCompressedTexture&&Array.isArray(T.image)?y.mipmaps.length:1}function F(T){let y=new WeakRef(T);n.get(T).__ref=y,p.add(y),v.register(T,y,y)}function P(T){let y=n.get(T).__ref;y!==void 0&&(p.delete(y),v.unregister(y))}function N(T){q(T.target)}function B(T){I(T.target)}function q(T){T.removeEventListener("dispose",N),P(T),X(T),T.isVideoTexture&&h.delete(T),T.isHTMLTexture&&f.delete(T)}function I(T){T.removeEventListener("dispose",B),P(T),ee(T)}function G(){for(let T of p){let y=T.deref();y!==void 0&&(y.isRenderTarget===!0?I(y):q(y))}p.clear(),f.clear()}function X(T){let y=n.get(T);if(y.__webglInit===void 0)return;let k=T.source,ne=u.get(k);if(ne){let Q=ne[y.__cacheKey];Q.usedTimes--,Q.usedTimes===0&&z(T),Object.keys(ne).length===0&&u.delete(k)}n.remove(T)}function z(T){let y=n.get(T);i.deleteTexture(y.__webglTexture);let k=T.source,ne=u.get(k);delete ne[y.__cacheKey],a.memory.textures--}function ee(T){let y=n.get(T);y.__depthDisposeCallback&&y.__depthDisposeCallback();let k=T.depthTexture;if(k&&k.renderTarget===T&&q(k),T.isWebGLCubeRenderTarget)for(let Q=0;Q<6;Q++){if(Array.isArray(y.__webglFramebuffer[Q]))for(let ae=0;ae<y.__webglFramebuffer[Q].length;ae++)i.deleteFramebuffer(y.__webglFramebuffer[Q][ae]);else i.deleteFramebuffer(y.__webglFramebuffer[Q]);y.__webglDepthbuffer&&i.deleteRenderbuffer(y.__webglDepthbuffer[Q])}else{if(Array.isArray(y.__webglFramebuffer))for(let Q=0;Q<y.__webglFramebuffer.length;Q++)i.deleteFramebuffer(y.__webglFramebuffer[Q]);else i.deleteFramebuffer(y.__webglFramebuffer);if(y.__webglDepthbuffer&&i.deleteRenderbuffer(y.__webglDepthbuffer),y.__webglMultisampledFramebuffer&&i.deleteFramebuffer(y.__webglMultisampledFramebuffer),y.__webglColorRenderbuffer)for(let Q=0;Q<y.__webglColorRenderbuffer.length;Q++)y.__webglColorRenderbuffer[Q]&&i.deleteRenderbuffer(y.__webglColorRenderbuffer[Q]);y.__webglDepthRenderbuffer&&i.deleteRenderbuffer(y.__webglDepthRenderbuffer)}let ne=T.textures;for(let Q=0,ae=ne.length;Q<ae;Q++){let ue=n.get(ne[Q]);ue.__webglTexture&&(i.deleteTexture(ue.__webglTexture),a.memory.textures--),n.remove(ne[Q])}n.remove(T)}let H=0;function K(){H=0}function te(){return H}function ve(T){H=T}function Ae(){let T=H;return T>=s.maxTextures&&Pe("WebGLTextures: Trying to use "+(T+1)+" texture units while this GPU supports only "+s.maxTextures),H+=1,T}function $(T){let y=[];return y.push(T.wrapS),y.push(T.wrapT),y.push(T.wrapR||0),y.push(T.magFilter),y.push(T.minFilter),y.push(T.anisotropy),y.push(T.internalFormat),y.push(T.format),y.push(T.type),y.push(T.generateMipmaps),y.push(T.mipmapsAutoUpdate),y.push(T.premultiplyAlpha),y.push(T.flipY),y.push(T.unpackAlignment),y.push(T.colorSpace),y.join()}function se(T,y){let k=n.get(T);if(T.isVideoTexture&&St(T),T.isRenderTargetTexture===!1&&T.isExternalTexture!==!0&&T.version>0&&k.__version!==T.version){let ne=T.image;if(ne===null)Pe("WebGLRenderer: Texture marked for update but no image data found.");else if(ne.complete===!1)Pe("WebGLRenderer: Texture marked for update but image is incomplete");else{bt(k,T,y);return}}else T.isExternalTexture&&(k.__webglTexture=T.sourceTexture?T.sourceTexture:null);t.bindTexture(i.TEXTURE_2D,k.__webglTexture,i.TEXTURE0+y)}function pe(T,y){let k=n.get(T);if(T.isRenderTargetTexture===!1&&T.version>0&&k.__version!==T.version){bt(k,T,y);return}else T.isExternalTexture&&(k.__webglTexture=T.sourceTexture?T.sourceTexture:null);t.bindTexture(i.TEXTURE_2D_ARRAY,k.__webglTexture,i.TEXTURE0+y)}function Te(T,y){let k=n.get(T);if(T.isRenderTargetTexture===!1&&T.version>0&&k.__version!==T.version){bt(k,T,y);return}t.bindTexture(i.TEXTURE_3D,k.__webglTexture,i.TEXTURE0+y)}function me(T,y){let k=n.get(T);if(T.version>0&&k.__version!==T.version){Jt(k,T,y);return}t.bindTexture(i.TEXTURE_CUBE_MAP,k.__webglTexture,i.TEXTURE0+y)}let Ie={[ja]:i.REPEAT,[Vn]:i.CLAMP_TO_EDGE,[Qa]:i.MIRRORED_REPEAT},at={[_t]:i.NEAREST,[qd]:i.NEAREST_MIPMAP_NEAREST,[kr]:i.NEAREST_MIPMAP_LINEAR,[Ut]:i.LINEAR,[To]:i.LINEAR_MIPMAP_NEAREST,[hi]:i.LINEAR_MIPMAP_LINEAR},Ce={[Zd]:i.NEVER,[Qc]:i.ALWAYS,[Kd]:i.LESS,[Kc]:i.LEQUAL,[jd]:i.EQUAL,[jc]:i.GEQUAL,[Qd]:i.GREATER,[ef]:i.NOTEQUAL};function $e(T,y){if(y.type===hn&&e.has("OES_texture_float_linear")===!1&&(y.magFilter===Ut||y.magFilter===To||y.magFilter===kr||y.magFilter===hi||y.minFilter===Ut||y.minFilter===To||y.minFilter===kr||y.minFilter===hi)&&Pe("WebGLRenderer: Unable to use linear filtering with floating point textures. OES_texture_float_linear not supported on this device."),i.texParameteri(T,i.TEXTURE_WRAP_S,Ie[y.wrapS]),i.texParameteri(T,i.TEXTURE_WRAP_T,Ie[y.wrapT]),(T===i.TEXTURE_3D||T===i.TEXTURE_2D_ARRAY)&&i.texParameteri(T,i.TEXTURE_WRAP_R,Ie[y.wrapR]),i.texParameteri(T,i.TEXTURE_MAG_FILTER,at[y.magFilter]),i.texParameteri(T,i.TEXTURE_MIN_FILTER,at[y.minFilter]),y.compareFunction&&(i.texParameteri(T,i.TEXTURE_COMPARE_MODE,i.COMPARE_REF_TO_TEXTURE),i.texParameteri(T,i.TEXTURE_COMPARE_FUNC,Ce[y.compareFunction])),e.has("EXT_texture_filter_anisotropic")===!0){if(y.magFilter===_t||y.minFilter!==kr&&y.minFilter!==hi||y.type===hn&&e.has("OES_texture_float_linear")===!1)return;if(y.anisotropy>1||n.get(y).__currentAnisotropy){let k=e.get("EXT_texture_filter_anisotropic");i.texParameterf(T,k.TEXTURE_MAX_ANISOTROPY_EXT,Math.min(y.anisotropy,s.getMaxAnisotropy())),n.get(y).__currentAnisotropy=y.anisotropy}}}function je(T,y){let k=!1;T.__webglInit===void 0&&(T.__webglInit=!0,y.addEventListener("dispose",N),F(y));let ne=y.source,Q=u.get(ne);Q===void 0&&(Q={},u.set(ne,Q));let ae=$(y);if(ae!==T.__cacheKey){Q[ae]===void 0&&(Q[ae]={texture:i.createTexture(),usedTimes:0},a.memory.textures++,k=!0),Q[ae].usedTimes++;let ue=Q[T.__cacheKey];ue!==void 0&&(Q[T.__cacheKey].usedTimes--,ue.usedTimes===0&&z(y)),T.__cacheKey=ae,T.__webglTexture=Q[ae].texture}return k}function He(T,y,k){return Math.floor(Math.floor(T/k)/y)}function Nt(T,y,k,ne){let ae=T.updateRanges;if(ae.length===0)t.texSubImage2D(i.TEXTURE_2D,0,0,0,y.width,y.height,k,ne,y.data);else{ae.sort((C,j)=>C.start-j.start);let ue=0;for(let C=1;C<ae.length;C++){let j=ae[ue],Y=ae[C],ce=j.start+j.count,re=He(Y.start,y.width,4),oe=He(j.start,y.width,4);Y.start<=ce+1&&re===oe&&He(Y.start+Y.count-1,y.width,4)===re?j.count=Math.max(j.count,Y.start+Y.count-j.start):(++ue,ae[ue]=Y)}ae.length=ue+1;let J=t.getParameter(i.UNPACK_ROW_LENGTH),Z=t.getParameter(i.UNPACK_SKIP_PIXELS),le=t.getParameter(i.UNPACK_SKIP_ROWS);t.pixelStorei(i.UNPACK_ROW_LENGTH,y.width);for(let C=0,j=ae.length;C<j;C++){let Y=ae[C],ce=Math.floor(Y.start/4),re=Math.ceil(Y.count/4),oe=ce%y.width,we=Math.floor(ce/y.width),ke=re,ie=1;t.pixelStorei(i.UNPACK_SKIP_PIXELS,oe),t.pixelStorei(i.UNPACK_SKIP_ROWS,we),t.texSubImage2D(i.TEXTURE_2D,0,oe,we,ke,ie,k,ne,y.data)}T.clearUpdateRanges(),t.pixelStorei(i.UNPACK_ROW_LENGTH,J),t.pixelStorei(i.UNPACK_SKIP_PIXELS,Z),t.pixelStorei(i.UNPACK_SKIP_ROWS,le)}}function bt(T,y,k){let ne=i.TEXTURE_2D;(y.isDataArrayTexture||y.isCompressedArrayTexture)&&(ne=i.TEXTURE_2D_ARRAY),y.isData3DTexture&&(ne=i.TEXTURE_3D);let Q=je(T,y),ae=y.source;t.bindTexture(ne,T.__webglTexture,i.TEXTURE0+k);let ue=n.get(ae);if(ae.version!==ue.__version||Q===!0){if(t.activeTexture(i.TEXTURE0+k),(typeof ImageBitmap<"u"&&y.image instanceof ImageBitmap)===!1){let ie=Xe.getPrimaries(Xe.workingColorSpace),Ee=y.colorSpace===di?null:Xe.getPrimaries(y.colorSpace),Oe=y.colorSpace===di||ie===Ee?i.NONE:i.BROWSER_DEFAULT_WEBGL;t.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,y.flipY),t.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,y.premultiplyAlpha),t.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,Oe)}t.pixelStorei(i.UNPACK_ALIGNMENT,y.unpackAlignment);let Z=_(y.image,!1,s.maxTextureSize);Z=Re(y,Z);let le=r.convert(y.format,y.colorSpace),C=r.convert(y.type),j=w(y.internalFormat,le,C,y.normalized,y.colorSpace,y.isVideoTexture);$e(ne,y);let Y,ce=y.mipmaps,re=y.isVideoTexture!==!0,oe=ue.__version===void 0||Q===!0,we=ae.dataReady,ke=S(y,Z);if(y.isDepthTexture)j=x(y.format===ui,y.type),oe&&(re?t.texStorage2D(i.TEXTURE_2D,1,j,Z.width,Z.height):t.texImage2D(i.TEXTURE_2D,0,j,Z.width,Z.height,0,le,C,null));else if(y.isDataTexture)if(ce.length>0){re&&oe&&t.texStorage2D(i.TEXTURE_2D,ke,j,ce[0].width,ce[0].height);for(let ie=0,Ee=ce.length;ie<Ee;ie++)Y=ce[ie],re?we&&t.texSubImage2D(i.TEXTURE_2D,ie,0,0,Y.width,Y.height,le,C,Y.data):t.texImage2D(i.TEXTURE_2D,ie,j,Y.width,Y.height,0,le,C,Y.data);y.generateMipmaps=!1}else re?(oe&&t.texStorage2D(i.TEXTURE_2D,ke,j,Z.width,Z.height),we&&Nt(y,Z,le,C)):t.texImage2D(i.TEXTURE_2D,0,j,Z.width,Z.height,0,le,C,Z.data);else if(y.isCompressedTexture)if(y.isCompressedArrayTexture){re&&oe&&t.texStorage3D(i.TEXTURE_2D_ARRAY,ke,j,ce[0].width,ce[0].height,Z.depth);for(let ie=0,Ee=ce.length;ie<Ee;ie++)if(Y=ce[ie],y.format!==un)if(le!==null)if(re){if(we)if(y.layerUpdates.size>0){let Oe=sh(Y.width,Y.height,y.format,y.type);for(let ge of y.layerUpdates){let Ke=Y.data.subarray(ge*Oe/Y.data.BYTES_PER_ELEMENT,(ge+1)*Oe/Y.data.BYTES_PER_ELEMENT);t.compressedTexSubImage3D(i.TEXTURE_2D_ARRAY,ie,0,0,ge,Y.width,Y.height,1,le,Ke)}}else t.compressedTexSubImage3D(i.TEXTURE_2D_ARRAY,ie,0,0,0,Y.width,Y.height,Z.depth,le,Y.data)}else t.compressedTexImage3D(i.TEXTURE_2D_ARRAY,ie,j,Y.width,Y.height,Z.depth,0,Y.data,0,0);else Pe("WebGLRenderer: Attempt to load unsupported compressed texture format in .uploadTexture()");else re?we&&t.texSubImage3D(i.TEXTURE_2D_ARRAY,ie,0,0,0,Y.width,Y.height,Z.depth,le,C,Y.data):t.texImage3D(i.TEXTURE_2D_ARRAY,ie,j,Y.width,Y.height,Z.depth,0,le,C,Y.data);y.layerUpdates.size>0&&y.clearLayerUpdates()}else{re&&oe&&t.texStorage2D(i.TEXTURE_2D,ke,j,ce[0].width,ce[0].height);for(let ie=0,Ee=ce.length;ie<Ee;ie++)Y=ce[ie],y.format!==un?le!==null?re?we&&t.compressedTexSubImage2D(i.TEXTURE_2D,ie,0,0,Y.width,Y.height,le,Y.data):t.compressedTexImage2D(i.TEXTURE_2D,ie,j,Y.width,Y.height,0,Y.data):Pe("WebGLRenderer: Attempt to load unsupported compressed texture format in .uploadTexture()"):re?we&&t.texSubImage2D(i.TEXTURE_2D,ie,0,0,Y.width,Y.height,le,C,Y.data):t.texImage2D(i.TEXTURE_2D,ie,j,Y.width,Y.height,0,le,C,Y.data)}else if(y.isDataArrayTexture)if(re){if(oe&&t.texStorage3D(i.TEXTURE_2D_ARRAY,ke,j,Z.width,Z.height,Z.depth),we)if(y.layerUpdates.size>0){let ie=sh(Z.width,Z.height,y.format,y.type);for(let Ee of y.layerUpdates){let Oe=Z.data.subarray(Ee*ie/Z.data.BYTES_PER_ELEMENT,(Ee+1)*ie/Z.data.BYTES_PER_ELEMENT);t.texSubImage3D(i.TEXTURE_2D_ARRAY,0,0,0,Ee,Z.width,Z.height,1,le,C,Oe)}y.clearLayerUpdates()}else t.texSubImage3D(i.TEXTURE_2D_ARRAY,0,0,0,0,Z.width,Z.height,Z.depth,le,C,Z.data)}else t.texImage3D(i.TEXTURE_2D_ARRAY,0,j,Z.width,Z.height,Z.depth,0,le,C,Z.data);else if(y.isData3DTexture)re?(oe&&t.texStorage3D(i.TEXTURE_3D,ke,j,Z.width,Z.height,Z.depth),we&&t.texSubImage3D(i.TEXTURE_3D,0,0,0,0,Z.width,Z.height,Z.depth,le,C,Z.data)):t.texImage3D(i.TEXTURE_3D,0,j,Z.width,Z.height,Z.depth,0,le,C,Z.data);else if(y.isFramebufferTexture){if(oe)if(re)t.texStorage2D(i.TEXTURE_2D,ke,j,Z.width,Z.height);else{let ie=Z.width,Ee=Z.height;for(let Oe=0;Oe<ke;Oe++)t.texImage2D(i.TEXTURE_2D,Oe,j,ie,Ee,0,le,C,null),ie>>=1,Ee>>=1}}else if(y.isHTMLTexture){if("texElementImage2D"in i){let ie=i.canvas;if(ie.hasAttribute("layoutsubtree")||ie.setAttribute("layoutsubtree","true"),Z.parentNode!==ie){ie.appendChild(Z),f.add(y),ie.onpaint=Ee=>{let Oe=Ee.changedElements;for(let ge of f)Oe.includes(ge.image)&&(ge.needsUpdate=!0)},ie.requestPaint();return}if(i.texElementImage2D.length===3)i.texElementImage2D(i.TEXTURE_2D,i.RGBA8,Z);else{let Oe=i.RGBA,ge=i.RGBA,Ke=i.UNSIGNED_BYTE;i.texElementImage2D(i.TEXTURE_2D,0,Oe,ge,Ke,Z)}i.texParameteri(i.TEXTURE_2D,i.TEXTURE_MIN_FILTER,i.LINEAR),i.texParameteri(i.TEXTURE_2D,i.TEXTURE_WRAP_S,i.CLAMP_TO_EDGE),i.texParameteri(i.TEXTURE_2D,i.TEXTURE_WRAP_T,i.CLAMP_TO_EDGE)}}else if(ce.length>0){if(re&&oe){let ie=Fe(ce[0]);t.texStorage2D(i.TEXTURE_2D,ke,j,ie.width,ie.height)}for(let ie=0,Ee=ce.length;ie<Ee;ie++)Y=ce[ie],re?we&&t.texSubImage2D(i.TEXTURE_2D,ie,0,0,le,C,Y):t.texImage2D(i.TEXTURE_2D,ie,j,le,C,Y);y.generateMipmaps=!1}else if(re){if(oe){let ie=Fe(Z);t.texStorage2D(i.TEXTURE_2D,ke,j,ie.width,ie.height)}we&&t.texSubImage2D(i.TEXTURE_2D,0,0,0,le,C,Z)}else t.texImage2D(i.TEXTURE_2D,0,j,le,C,Z);E(y)&&y.mipmapsAutoUpdate===!0&&M(ne),ue.__version=ae.version,y.onUpdate&&y.onUpdate(y)}T.__version=y.version}function Jt(T,y,k){if(y.image.length!==6)return;let ne=je(T,y),Q=y.source;t.bindTexture(i.TEXTURE_CUBE_MAP,T.__webglTexture,i.TEXTURE0+k);let ae=n.get(Q);if(Q.version!==ae.__version||ne===!0){t.activeTexture(i.TEXTURE0+k);let ue=Xe.getPrimaries(Xe.workingColorSpace),J=y.colorSpace===di?null:Xe.getPrimaries(y.colorSpace),Z=y.colorSpace===di||ue===J?i.NONE:i.BROWSER_DEFAULT_WEBGL;t.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,y.flipY),t.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,y.premultiplyAlpha),t.pixelStorei(i.UNPACK_ALIGNMENT,y.unpackAlignment),t.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,Z);let le=y.isCompressedTexture||y.image[0].isCompressedTexture,C=y.image[0]&&y.image[0].isDataTexture,j=[];for(let ge=0;ge<6;ge++)!le&&!C?j[ge]=_(y.image[ge],!0,s.maxCubemapSize):j[ge]=C?y.image[ge].image:y.image[ge],j[ge]=Re(y,j[ge]);let Y=j[0],ce=r.convert(y.format,y.colorSpace),re=r.convert(y.type),oe=w(y.internalFormat,ce,re,y.normalized,y.colorSpace),we=y.isVideoTexture!==!0,ke=ae.__version===void 0||ne===!0,ie=Q.dataReady,Ee=S(y,Y);$e(i.TEXTURE_CUBE_MAP,y);let Oe;if(y.isDepthTexture){if(oe=x(y.format===ui,y.type),ke)if(we)t.texStorage2D(i.TEXTURE_CUBE_MAP,1,oe,Y.width,Y.height);else for(let ge=0;ge<6;ge++)t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+ge,0,oe,Y.width,Y.height,0,ce,re,null)}else if(le){we&&ke&&t.texStorage2D(i.TEXTURE_CUBE_MAP,Ee,oe,Y.width,Y.height);for(let ge=0;ge<6;ge++){Oe=j[ge].mipmaps;for(let Ke=0;Ke<Oe.length;Ke++){let Rt=Oe[Ke];y.format!==un?ce!==null?we?ie&&t.compressedTexSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+ge,Ke,0,0,Rt.width,Rt.height,ce,Rt.data):t.compressedTexImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+ge,Ke,oe,Rt.width,Rt.height,0,Rt.data):Pe("WebGLRenderer: Attempt to load unsupported compressed texture format in .setTextureCube()"):we?ie&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+ge,Ke,0,0,Rt.width,Rt.height,ce,re,Rt.data):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+ge,Ke,oe,Rt.width,Rt.height,0,ce,re,Rt.data)}}}else{if(Oe=y.mipmaps,we&&ke){Oe.length>0&&Ee++;let ge=Fe(j[0]);t.texStorage2D(i.TEXTURE_CUBE_MAP,Ee,oe,ge.width,ge.height)}for(let ge=0;ge<6;ge++)if(C){we?ie&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+ge,0,0,0,j[ge].width,j[ge].height,ce,re,j[ge].data):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+ge,0,oe,j[ge].width,j[ge].height,0,ce,re,j[ge].data);for(let Ke=0;Ke<Oe.length;Ke++){let fi=Oe[Ke].image[ge].image;we?ie&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+ge,Ke+1,0,0,fi.width,fi.height,ce,re,fi.data):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+ge,Ke+1,oe,fi.width,fi.height,0,ce,re,fi.data)}}else{we?ie&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+ge,0,0,0,ce,re,j[ge]):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+ge,0,oe,ce,re,j[ge]);for(let Ke=0;Ke<Oe.length;Ke++){let Rt=Oe[Ke];we?ie&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+ge,Ke+1,0,0,ce,re,Rt.image[ge]):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+ge,Ke+1,oe,ce,re,Rt.image[ge])}}}E(y)&&y.mipmapsAutoUpdate===!0&&M(i.TEXTURE_CUBE_MAP),ae.__version=Q.version,y.onUpdate&&y.onUpdate(y)}T.__version=y.version}function ct(T,y,k,ne,Q,ae){let ue=r.convert(k.format,k.colorSpace),J=r.convert(k.type),Z=w(k.internalFormat,ue,J,k.normalized,k.colorSpace),le=n.get(y),C=n.get(k);if(C.__renderTarget=y,!le.__hasExternalTextures){let j=Math.max(1,y.width>>ae),Y=Math.max(1,y.height>>ae);Q===i.TEXTURE_3D||Q===i.TEXTURE_2D_ARRAY?t.texImage3D(Q,ae,Z,j,Y,y.depth,0,ue,J,null):t.texImage2D(Q,ae,Z,j,Y,0,ue,J,null)}t.bindFramebuffer(i.FRAMEBUFFER,T),fe(y)?o.framebufferTexture2DMultisampleEXT(i.FRAMEBUFFER,ne,Q,C.__webglTexture,0,lt(y)):(Q===i.TEXTURE_2D||Q>=i.TEXTURE_CUBE_MAP_POSITIVE_X&&Q<=i.TEXTURE_CUBE_MAP_NEGATIVE_Z)&&i.framebufferTexture2D(i.FRAMEBUFFER,ne,Q,C.__webglTexture,ae),t.bindFramebuffer(i.FRAMEBUFFER,null)}function Dn(T,y,k){if(i.bindRenderbuffer(i.RENDERBUFFER,T),y.depthBuffer){let ne=y.depthTexture,Q=ne&&ne.isDepthTexture?ne.type:null,ae=x(y.stencilBuffer,Q),ue=y.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT;fe(y)?o.renderbufferStorageMultisampleEXT(i.RENDERBUFFER,lt(y),ae,y.width,y.height):k?i.renderbufferStorageMultisample(i.RENDERBUFFER,lt(y),ae,y.width,y.height):i.renderbufferStorage(i.RENDERBUFFER,ae,y.width,y.height),i.framebufferRenderbuffer(i.FRAMEBUFFER,ue,i.RENDERBUFFER,T)}else{let ne=y.textures;for(let Q=0;Q<ne.length;Q++){let ae=ne[Q],ue=r.convert(ae.format,ae.colorSpace),J=r.convert(ae.type),Z=w(ae.internalFormat,ue,J,ae.normalized,ae.colorSpace);fe(y)?o.renderbufferStorageMultisampleEXT(i.RENDERBUFFER,lt(y),Z,y.width,y.height):k?i.renderbufferStorageMultisample(i.RENDERBUFFER,lt(y),Z,y.width,y.height):i.renderbufferStorage(i.RENDERBUFFER,Z,y.width,y.height)}}i.bindRenderbuffer(i.RENDERBUFFER,null)}function Ct(T,y,k){let ne=y.isWebGLCubeRenderTarget===!0;if(t.bindFramebuffer(i.FRAMEBUFFER,T),!(y.depthTexture&&y.depthTexture.isDepthTexture))throw new Error("THREE.WebGLTextures: renderTarget.depthTexture must be an instance of THREE.DepthTexture.");let Q=n.get(y.depthTexture);Q.__renderTarget=y;let ae=ne?y.depthTexture.image[0]:y.depthTexture.image;(!Q.__webglTexture||ae.width!==y.width||ae.height!==y.height)&&(ae.width=y.width,ae.height=y.height,y.depthTexture.needsUpdate=!0),ne?me(y.depthTexture,0):se(y.depthTexture,0);let ue=Q.__webglTexture,J=lt(y),Z=ne?i.TEXTURE_CUBE_MAP_POSITIVE_X+k:i.TEXTURE_2D,le=y.depthTexture.format===ui?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT;if(y.depthTexture.format===li)fe(y)?o.framebufferTexture2DMultisampleEXT(i.FRAMEBUFFER,le,Z,ue,0,J):i.framebufferTexture2D(i.FRAMEBUFFER,le,Z,ue,0);else if(y.depthTexture.format===ui)fe(y)?o.framebufferTexture2DMultisampleEXT(i.FRAMEBUFFER,le,Z,ue,0,J):i.framebufferTexture2D(i.FRAMEBUFFER,le,Z,ue,0);else throw new Error("THREE.WebGLTextures: Unknown depthTexture format.")}function dn(T){let y=n.get(T),k=T.isWebGLCubeRenderTarget===!0;if(y.__boundDepthTexture!==T.depthTexture){let ne=T.depthTexture;if(y.__depthDisposeCallback&&y.__depthDisposeCallback(),ne){let Q=()=>{delete y.__boundDepthTexture,delete y.__depthDisposeCallback,ne.removeEventListener("dispose",Q)};ne.addEventListener("dispose",Q),y.__depthDisposeCallback=Q}y.__boundDepthTexture=ne}if(T.depthTexture&&!y.__autoAllocateDepthBuffer)if(k)for(let ne=0;ne<6;ne++)Ct(y.__webglFramebuffer[ne],T,ne);else T.texture.mipmaps.length>0?Ct(y.__webglFramebuffer[0],T,0):Ct(y.__webglFramebuffer,T,0);else if(k){y.__webglDepthbuffer=[];for(let ne=0;ne<6;ne++)if(t.bindFramebuffer(i.FRAMEBUFFER,y.__webglFramebuffer[ne]),y.__webglDepthbuffer[ne]===void 0)y.__webglDepthbuffer[ne]=i.createRenderbuffer(),Dn(y.__webglDepthbuffer[ne],T,!1);else{let Q=T.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT,ae=y.__webglDepthbuffer[ne];i.bindRenderbuffer(i.RENDERBUFFER,ae),i.framebufferRenderbuffer(i.FRAMEBUFFER,Q,i.RENDERBUFFER,ae)}}else if(T.texture.mipmaps.length>0?t.bindFramebuffer(i.FRAMEBUFFER,y.__webglFramebuffer[0]):t.bindFramebuffer(i.FRAMEBUFFER,y.__webglFramebuffer),y.__webglDepthbuffer===void 0)y.__webglDepthbuffer=i.createRenderbuffer(),Dn(y.__webglDepthbuffer,T,!1);else{let Q=T.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT,ae=y.__webglDepthbuffer;i.bindRenderbuffer(i.RENDERBUFFER,ae),i.framebufferRenderbuffer(i.FRAMEBUFFER,Q,i.RENDERBUFFER,ae)}t.bindFramebuffer(i.FRAMEBUFFER,null)}function fn(T,y,k){let ne=n.get(T);y!==void 0&&ct(ne.__webglFramebuffer,T,T.texture,i.COLOR_ATTACHMENT0,i.TEXTURE_2D,0),k!==void 0&&dn(T)}function pn(T){let y=T.texture,k=n.get(T),ne=n.get(y);T.addEventListener("dispose",B),F(T);let Q=T.textures,ae=T.isWebGLCubeRenderTarget===!0,ue=Q.length>1;if(ue||(ne.__webglTexture===void 0&&(ne.__webglTexture=i.createTexture()),ne.__version=y.version,a.memory.textures++),ae){k.__webglFramebuffer=[];for(let J=0;J<6;J++)if(y.mipmaps.length>0){k.__webglFramebuffer[J]=[];for(let Z=0;Z<y.mipmaps.length;Z++)k.__webglFramebuffer[J][Z]=i.createFramebuffer()}else k.__webglFramebuffer[J]=i.createFramebuffer()}else{if(y.mipmaps.length>0){k.__webglFramebuffer=[];for(let J=0;J<y.mipmaps.length;J++)k.__webglFramebuffer[J]=i.createFramebuffer()}else k.__webglFramebuffer=i.createFramebuffer();if(ue)for(let J=0,Z=Q.length;J<Z;J++){let le=n.get(Q[J]);le.__webglTexture===void 0&&(le.__webglTexture=i.createTexture(),a.memory.textures++)}if(T.samples>0&&fe(T)===!1){k.__webglMultisampledFramebuffer=i.createFramebuffer(),k.__webglColorRenderbuffer=[],t.bindFramebuffer(i.FRAMEBUFFER,k.__webglMultisampledFramebuffer);for(let J=0;J<Q.length;J++){let Z=Q[J];k.__webglColorRenderbuffer[J]=i.createRenderbuffer(),i.bindRenderbuffer(i.RENDERBUFFER,k.__webglColorRenderbuffer[J]);let le=r.convert(Z.format,Z.colorSpace),C=r.convert(Z.type),j=w(Z.internalFormat,le,C,Z.normalized,Z.colorSpace,T.isXRRenderTarget===!0),Y=lt(T);i.renderbufferStorageMultisample(i.RENDERBUFFER,Y,j,T.width,T.height),i.framebufferRenderbuffer(i.FRAMEBUFFER,i.COLOR_ATTACHMENT0+J,i.RENDERBUFFER,k.__webglColorRenderbuffer[J])}i.bindRenderbuffer(i.RENDERBUFFER,null),T.depthBuffer&&(k.__webglDepthRenderbuffer=i.createRenderbuffer(),Dn(k.__webglDepthRenderbuffer,T,!0)),t.bindFramebuffer(i.FRAMEBUFFER,null)}}if(ae){t.bindTexture(i.TEXTURE_CUBE_MAP,ne.__webglTexture),$e(i.TEXTURE_CUBE_MAP,y);for(let J=0;J<6;J++)if(y.mipmaps.length>0)for(let Z=0;Z<y.mipmaps.length;Z++)ct(k.__webglFramebuffer[J][Z],T,y,i.COLOR_ATTACHMENT0,i.TEXTURE_CUBE_MAP_POSITIVE_X+J,Z);else ct(k.__webglFramebuffer[J],T,y,i.COLOR_ATTACHMENT0,i.TEXTURE_CUBE_MAP_POSITIVE_X+J,0);E(y)?M(i.TEXTURE_CUBE_MAP):y.mipmaps.length>0&&i.texParameteri(i.TEXTURE_CUBE_MAP,i.TEXTURE_MAX_LEVEL,y.mipmaps.length-1),t.unbindTexture()}else if(ue){for(let J=0,Z=Q.length;J<Z;J++){let le=Q[J],C=n.get(le),j=i.TEXTURE_2D;(T.isWebGL3DRenderTarget||T.isWebGLArrayRenderTarget)&&(j=T.isWebGL3DRenderTarget?i.TEXTURE_3D:i.TEXTURE_2D_ARRAY),t.bindTexture(j,C.__webglTexture),$e(j,le),ct(k.__webglFramebuffer,T,le,i.COLOR_ATTACHMENT0+J,j,0),E(le)&&M(j)}t.unbindTexture()}else{let J=i.TEXTURE_2D;if((T.isWebGL3DRenderTarget||T.isWebGLArrayRenderTarget)&&(J=T.isWebGL3DRenderTarget?i.TEXTURE_3D:i.TEXTURE_2D_ARRAY),t.bindTexture(J,ne.__webglTexture),$e(J,y),y.mipmaps.length>0)for(let Z=0;Z<y.mipmaps.length;Z++)ct(k.__webglFramebuffer[Z],T,y,i.COLOR_ATTACHMENT0,J,Z);else ct(k.__webglFramebuffer,T,y,i.COLOR_ATTACHMENT0,J,0);E(y)?M(J):y.mipmaps.length>0&&i.texParameteri(J,i.TEXTURE_MAX_LEVEL,y.mipmaps.length-1),t.unbindTexture()}T.depthBuffer&&dn(T)}function D(T){let y=T.textures;for(let k=0,ne=y.length;k<ne;k++){let Q=y[k];if(E(Q)&&Q.mipmapsAutoUpdate===!0){let ae=A(T),ue=n.get(Q).__webglTexture;t.bindTexture(ae,ue),M(ae),t.unbindTexture()}}}let mn=[];function ot(T){if(T.samples>0){if(fe(T)===!1){let y=T.textures,k=T.width,ne=T.height,Q=i.COLOR_BUFFER_BIT,ae=T.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT,ue=n.get(T),J=y.length>1;if(J)for(let le=0;le<y.length;le++)t.bindFramebuffer(i.FRAMEBUFFER,ue.__webglMultisampledFramebuffer),i.framebufferRenderbuffer(i.FRAMEBUFFER,i.COLOR_ATTACHMENT0+le,i.RENDERBUFFER,null),t.bindFramebuffer(i.FRAMEBUFFER,ue.__webglFramebuffer),i.framebufferTexture2D(i.DRAW_FRAMEBUFFER,i.COLOR_ATTACHMENT0+le,i.TEXTURE_2D,null,0);t.bindFramebuffer(i.READ_FRAMEBUFFER,ue.__webglMultisampledFramebuffer),T.texture.mipmaps.length>0?t.bindFramebuffer(i.DRAW_FRAMEBUFFER,ue.__webglFramebuffer[0]):t.bindFramebuffer(i.DRAW_FRAMEBUFFER,ue.__webglFramebuffer);for(let le=0;le<y.length;le++){if(T.resolveDepthBuffer&&(T.depthBuffer&&(Q|=i.DEPTH_BUFFER_BIT),T.stencilBuffer&&T.resolveStencilBuffer&&(Q|=i.STENCIL_BUFFER_BIT)),J){i.framebufferRenderbuffer(i.READ_FRAMEBUFFER,i.COLOR_ATTACHMENT0,i.RENDERBUFFER,ue.__webglColorRenderbuffer[le]);let C=n.get(y[le]).__webglTexture;i.framebufferTexture2D(i.DRAW_FRAMEBUFFER,i.COLOR_ATTACHMENT0,i.TEXTURE_2D,C,0)}i.blitFramebuffer(0,0,k,ne,0,0,k,ne,Q,i.NEAREST),l===!0&&(mn.length=0,mn.push(i.COLOR_ATTACHMENT0+le),T.depthBuffer&&T.storeMultisampledDepthBuffer===!1&&mn.push(ae),i.invalidateFramebuffer(i.READ_FRAMEBUFFER,mn))}if(t.bindFramebuffer(i.READ_FRAMEBUFFER,null),t.bindFramebuffer(i.DRAW_FRAMEBUFFER,null),J)for(let le=0;le<y.length;le++){t.bindFramebuffer(i.FRAMEBUFFER,ue.__webglMultisampledFramebuffer),i.framebufferRenderbuffer(i.FRAMEBUFFER,i.COLOR_ATTACHMENT0+le,i.RENDERBUFFER,ue.__webglColorRenderbuffer[le]);let C=n.get(y[le]).__webglTexture;t.bindFramebuffer(i.FRAMEBUFFER,ue.__webglFramebuffer),i.framebufferTexture2D(i.DRAW_FRAMEBUFFER,i.COLOR_ATTACHMENT0+le,i.TEXTURE_2D,C,0)}t.bindFramebuffer(i.DRAW_FRAMEBUFFER,ue.__webglMultisampledFramebuffer)}else if(T.depthBuffer&&T.storeMultisampledDepthBuffer===!1&&l){let y=T.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT;i.invalidateFramebuffer(i.DRAW_FRAMEBUFFER,[y])}}}function lt(T){return Math.min(s.maxSamples,T.samples)}function fe(T){let y=n.get(T);return T.samples>0&&e.has("WEBGL_multisampled_render_to_texture")===!0&&y.__useRenderToTexture!==!1}function St(T){let y=a.render.frame;h.get(T)!==y&&(h.set(T,y),T.update())}function Re(T,y){let k=T.colorSpace,ne=T.format,Q=T.type;return T.isCompressedTexture===!0||T.isVideoTexture===!0||k!==xr&&k!==di&&(Xe.getTransfer(k)===Ze?(ne!==un||Q!==Yt)&&Pe("WebGLTextures: sRGB encoded textures have to use RGBAFormat and UnsignedByteType."):Le("WebGLTextures: Unsupported texture color space:",k)),y}function Fe(T){return typeof HTMLImageElement<"u"&&T instanceof HTMLImageElement?(c.width=T.naturalWidth||T.width,c.height=T.naturalHeight||T.height):typeof VideoFrame<"u"&&T instanceof VideoFrame?(c.width=T.displayWidth,c.height=T.displayHeight):(c.width=T.width,c.height=T.height),c}this.allocateTextureUnit=Ae,this.resetTextureUnits=K,this.getTextureUnits=te,this.setTextureUnits=ve,this.setTexture2D=se,this.setTexture2DArray=pe,this.setTexture3D=Te,this.setTextureCube=me,this.rebindTextures=fn,this.setupRenderTarget=pn,this.updateRenderTargetMipmap=D,this.updateMultisampleRenderTarget=ot,this.setupDepthRenderbuffer=dn,this.setupFrameBufferTexture=ct,this.useMultisampledRTT=fe,this.dispose=G}function tv(i,e){function t(n,s=di){let r,a=Xe.getTransfer(s);if(n===Yt)return i.UNSIGNED_BYTE;if(n===Co)return i.UNSIGNED_SHORT_4_4_4_4;if(n===Ro)return i.UNSIGNED_SHORT_5_5_5_1;if(n===qc)return i.UNSIGNED_INT_5_9_9_9_REV;if(n===$c)return i.UNSIGNED_INT_10F_11F_11F_REV;if(n===Wc)return i.BYTE;if(n===Xc)return i.SHORT;if(n===ks)return i.UNSIGNED_SHORT;if(n===Eo)return i.INT;if(n===In)return i.UNSIGNED_INT;if(n===hn)return i.FLOAT;if(n===Ln)return i.HALF_FLOAT;if(n===Yc)return i.ALPHA;if(n===Jc)return i.RGB;if(n===un)return i.RGBA;if(n===li)return i.DEPTH_COMPONENT;if(n===ui)return i.DEPTH_STENCIL;if(n===Br)return i.RED;if(n===Po)return i.RED_INTEGER;if(n===Ii)return i.RG;if(n===Io)return i.RG_INTEGER;if(n===Lo)return i.RGBA_INTEGER;if(n===zr||n===Vr||n===Hr||n===Gr)if(a===Ze)if(r=e.get("WEBGL_compressed_texture_s3tc_srgb"),r!==null){if(n===zr)return r.COMPRESSED_SRGB_S3TC_DXT1_EXT;if(n===Vr)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT1_EXT;if(n===Hr)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT3_EXT;if(n===Gr)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT}else return null;else if(r=e.get("WEBGL_compressed_texture_s3tc"),r!==null){if(n===zr)return r.COMPRESSED_RGB_S3TC_DXT1_EXT;if(n===Vr)return r.COMPRESSED_RGBA_S3TC_DXT1_EXT;if(n===Hr)return r.COMPRESSED_RGBA_S3TC_DXT3_EXT;if(n===Gr)return r.COMPRESSED_RGBA_S3TC_DXT5_EXT}else return null;if(n===No||n===Do||n===Fo||n===Uo)if(r=e.get("WEBGL_compressed_texture_pvrtc"),r!==null){if(n===No)return r.COMPRESSED_RGB_PVRTC_4BPPV1_IMG;if(n===Do)return r.COMPRESSED_RGB_PVRTC_2BPPV1_IMG;if(n===Fo)return r.COMPRESSED_RGBA_PVRTC_4BPPV1_IMG;if(n===Uo)return r.COMPRESSED_RGBA_PVRTC_2BPPV1_IMG}else return null;if(n===Oo||n===ko||n===Bo||n===zo||n===Vo||n===Wr||n===Ho)if(r=e.get("WEBGL_compressed_texture_etc"),r!==null){if(n===Oo||n===ko)return a===Ze?r.COMPRESSED_SRGB8_ETC2:r.COMPRESSED_RGB8_ETC2;if(n===Bo)return a===Ze?r.COMPRESSED_SRGB8_ALPHA8_ETC2_EAC:r.COMPRESSED_RGBA8_ETC2_EAC;if(n===zo)return r.COMPRESSED_R11_EAC;if(n===Vo)return r.COMPRESSED_SIGNED_R11_EAC;if(n===Wr)return r.COMPRESSED_RG11_EAC;if(n===Ho)return r.COMPRESSED_SIGNED_RG11_EAC}else return null;if(n===Go||n===Wo||n===Xo||n===qo||n===$o||n===Yo||n===Jo||n===Zo||n===Ko||n===jo||n===Qo||n===el||n===tl||n===nl)if(r=e.get("WEBGL_compressed_texture_astc"),r!==null){if(n===Go)return a===Ze?r.COMPRESSED_SRGB8_ALPHA8_ASTC_4x4_KHR:r.COMPRESSED_RGBA_ASTC_4x4_KHR;if(n===Wo)return a===Ze?r.COMPRESSED_SRGB8_ALPHA8_ASTC_5x4_KHR:r.COMPRESSED_RGBA_ASTC_5x4_KHR;if(n===Xo)return a===Ze?r.COMPRESSED_SRGB8_ALPHA8_ASTC_5x5_KHR:r.COMPRESSED_RGBA_ASTC_5x5_KHR;if(n===qo)return a===Ze?r.COMPRESSED_SRGB8_ALPHA8_ASTC_6x5_KHR:r.COMPRESSED_RGBA_ASTC_6x5_KHR;if(n===$o)return a===Ze?r.COMPRESSED_SRGB8_ALPHA8_ASTC_6x6_KHR:r.COMPRESSED_RGBA_ASTC_6x6_KHR;if(n===Yo)return a===Ze?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x5_KHR:r.COMPRESSED_RGBA_ASTC_8x5_KHR;if(n===Jo)return a===Ze?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x6_KHR:r.COMPRESSED_RGBA_ASTC_8x6_KHR;if(n===Zo)return a===Ze?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x8_KHR:r.COMPRESSED_RGBA_ASTC_8x8_KHR;if(n===Ko)return a===Ze?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x5_KHR:r.COMPRESSED_RGBA_ASTC_10x5_KHR;if(n===jo)return a===Ze?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x6_KHR:r.COMPRESSED_RGBA_ASTC_10x6_KHR;if(n===Qo)return a===Ze?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x8_KHR:r.COMPRESSED_RGBA_ASTC_10x8_KHR;if(n===el)return a===Ze?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x10_KHR:r.COMPRESSED_RGBA_ASTC_10x10_KHR;if(n===tl)return a===Ze?r.COMPRESSED_SRGB8_ALPHA8_ASTC_12x10_KHR:r.COMPRESSED_RGBA_ASTC_12x10_KHR;if(n===nl)return a===Ze?r.COMPRESSED_SRGB8_ALPHA8_ASTC_12x12_KHR:r.COMPRESSED_RGBA_ASTC_12x12_KHR}else return null;if(n===il||n===sl||n===rl)if(r=e.get("EXT_texture_compression_bptc"),r!==null){if(n===il)return a===Ze?r.COMPRESSED_SRGB_ALPHA_BPTC_UNORM_EXT:r.COMPRESSED_RGBA_BPTC_UNORM_EXT;if(n===sl)return r.COMPRESSED_RGB_BPTC_SIGNED_FLOAT_EXT;if(n===rl)return r.COMPRESSED_RGB_BPTC_UNSIGNED_FLOAT_EXT}else return null;if(n===al||n===ol||n===Xr||n===ll)if(r=e.get("EXT_texture_compression_rgtc"),r!==null){if(n===al)return r.COMPRESSED_RED_RGTC1_EXT;if(n===ol)return r.COMPRESSED_SIGNED_RED_RGTC1_EXT;if(n===Xr)return r.COMPRESSED_RED_GREEN_RGTC2_EXT;if(n===ll)return r.COMPRESSED_SIGNED_RED_GREEN_RGTC2_EXT}else return null;return n===es?i.UNSIGNED_INT_24_8:i[n]!==void 0?i[n]:null}return{convert:t}}var nv=`
+void main() {
+
+	gl_Position = vec4( position, 1.0 );
+
+}`,iv=`
+uniform sampler2DArray depthColor;
+uniform float depthWidth;
+uniform float depthHeight;
+
+void main() {
+
+	vec2 coord = vec2( gl_FragCoord.x / depthWidth, gl_FragCoord.y / depthHeight );
+
+	if ( coord.x >= 1.0 ) {
+
+		gl_FragDepth = texture( depthColor, vec3( coord.x - 1.0, coord.y, 1 ) ).r;
+
+	} else {
+
+		gl_FragDepth = texture( depthColor, vec3( coord.x, coord.y, 0 ) ).r;
+
+	}
+
+}`,fh=class{constructor(){this.texture=null,this.mesh=null,this.depthNear=0,this.depthFar=0}init(e,t){if(this.texture===null){let n=new Ir(e.texture);(e.depthNear!==t.depthNear||e.depthFar!==t.depthFar)&&(this.depthNear=e.depthNear,this.depthFar=e.depthFar),this.texture=n}}getMesh(e){if(this.texture!==null&&this.mesh===null){let t=e.cameras[0].viewport,n=new qt({vertexShader:nv,fragmentShader:iv,uniforms:{depthColor:{value:this.texture},depthWidth:{value:t.z},depthHeight:{value:t.w}}});this.mesh=new en(new Lr(20,20),n)}return this.mesh}reset(){this.texture=null,this.mesh=null}getDepthTexture(){return this.texture}},ph=class extends Hn{constructor(e,t){super();let n=this,s=null,r=1,a=null,o="local-floor",l=1,c=null,h=null,f=null,d=null,u=null,p=null,v=typeof XRWebGLBinding<"u",g=new fh,m={},_=t.getContextAttributes(),E=null,M=null,A=[],w=[],x=new Ve,S=null,F=null,P=new Vt;P.viewport=new et;let N=new Vt;N.viewport=new et;let B=[P,N],q=new Mo,I=null,G=null;this.cameraAutoUpdate=!0,this.enabled=!1,this.isPresenting=!1,this.getController=function($){let se=A[$];return se===void 0&&(se=new Ps,A[$]=se),se.getTargetRaySpace()},this.getControllerGrip=function($){let se=A[$];return se===void 0&&(se=new Ps,A[$]=se),se.getGripSpace()},this.getHand=function($){let se=A[$];return se===void 0&&(se=new Ps,A[$]=se),se.getHandSpace()};function X($){let se=w.indexOf($.inputSource);if(se===-1)return;let pe=A[se];pe!==void 0&&(pe.update($.inputSource,$.frame,c||a),pe.dispatchEvent({type:$.type,data:$.inputSource}))}function z(){s.removeEventListener("select",X),s.removeEventListener("selectstart",X),s.removeEventListener("selectend",X),s.removeEventListener("squeeze",X),s.removeEventListener("squeezestart",X),s.removeEventListener("squeezeend",X),s.removeEventListener("end",z),s.removeEventListener("inputsourceschange",ee);for(let $=0;$<A.length;$++){let se=w[$];se!==null&&(w[$]=null,A[$].disconnect(se))}I=null,G=null,g.reset();for(let $ in m)delete m[$];if(e.setRenderTarget(E),u=null,d=null,f=null,s=null,M=null,Ae.stop(),n.isPresenting=!1,e.setPixelRatio(S),e.setSize(x.width,x.height,!1),F!==null){let $=F.camera;$.fov=F.fov,$.zoom=F.zoom,$.updateProjectionMatrix(),F=null}n.dispatchEvent({type:"sessionend"})}this.setFramebufferScaleFactor=function($){r=$,n.isPresenting===!0&&Pe("WebXRManager: Cannot change framebuffer scale while presenting.")},this.setReferenceSpaceType=function($){o=$,n.isPresenting===!0&&Pe("WebXRManager: Cannot change reference space type while presenting.")},this.getReferenceSpace=function(){return c||a},this.setReferenceSpace=function($){c=$},this.getBaseLayer=function(){return d!==null?d:u},this.getBinding=function(){return f===null&&v&&(f=new XRWebGLBinding(s,t)),f},this.getFrame=function(){return p},this.getSession=function(){return s},this.setSession=async function($){if(s=$,s!==null){if(E=e.getRenderTarget(),s.addEventListener("select",X),s.addEventListener("selectstart",X),s.addEventListener("selectend",X),s.addEventListener("squeeze",X),s.addEventListener("squeezestart",X),s.addEventListener("squeezeend",X),s.addEventListener("end",z),s.addEventListener("inputsourceschange",ee),_.xrCompatible!==!0&&await t.makeXRCompatible(),S=e.getPixelRatio(),e.getSize(x),v&&"createProjectionLayer"in XRWebGLBinding.prototype){let pe=null,Te=null,me=null;_.depth&&(me=_.stencil?t.DEPTH24_STENCIL8:t.DEPTH_COMPONENT24,pe=_.stencil?ui:li,Te=_.stencil?es:In);let Ie={colorFormat:t.RGBA8,depthFormat:me,scaleFactor:r};f=this.getBinding(),d=f.createProjectionLayer(Ie),s.updateRenderState({layers:[d]}),e.setPixelRatio(1),e.setSize(d.textureWidth,d.textureHeight,!1),M=new on(d.textureWidth,d.textureHeight,{format:un,type:Yt,depthTexture:new ci(d.textureWidth,d.textureHeight,Te,void 0,void 0,void 0,void 0,void 0,void 0,pe),stencilBuffer:_.stencil,colorSpace:e.outputColorSpace,samples:_.antialias?4:0,resolveDepthBuffer:d.ignoreDepthValues===!1,resolveStencilBuffer:d.ignoreDepthValues===!1,storeMultisampledDepthBuffer:d.ignoreDepthValues===!1,storeMultisampledStencilBuffer:d.ignoreDepthValues===!1})}else{let pe={antialias:_.antialias,alpha:!0,depth:_.depth,stencil:_.stencil,framebufferScaleFactor:r};u=new XRWebGLLayer(s,t,pe),s.updateRenderState({baseLayer:u}),e.setPixelRatio(1),e.setSize(u.framebufferWidth,u.framebufferHeight,!1),M=new on(u.framebufferWidth,u.framebufferHeight,{format:un,type:Yt,colorSpace:e.outputColorSpace,stencilBuffer:_.stencil,resolveDepthBuffer:u.ignoreDepthValues===!1,resolveStencilBuffer:u.ignoreDepthValues===!1,storeMultisampledDepthBuffer:u.ignoreDepthValues===!1,storeMultisampledStencilBuffer:u.ignoreDepthValues===!1})}M.isXRRenderTarget=!0,this.setFoveation(l),c=null,a=await s.requestReferenceSpace(o),Ae.setContext(s),Ae.start(),n.isPresenting=!0,n.dispatchEvent({type:"sessionstart"})}},this.getEnvironmentBlendMode=function(){if(s!==null)return s.environmentBlendMode},this.getDepthTexture=function(){return g.getDepthTexture()};function ee($){for(let se=0;se<$.removed.length;se++){let pe=$.removed[se],Te=w.indexOf(pe);Te>=0&&(w[Te]=null,A[Te].disconnect(pe))}for(let se=0;se<$.added.length;se++){let pe=$.added[se],Te=w.indexOf(pe);if(Te===-1){for(let Ie=0;Ie<A.length;Ie++)if(Ie>=w.length){w.push(pe),Te=Ie;break}else if(w[Ie]===null){w[Ie]=pe,Te=Ie;break}if(Te===-1)break}let me=A[Te];me&&me.connect(pe)}}function H($,se){se===null?$.matrixWorld.copy($.matrix):$.matrixWorld.multiplyMatrices(se.matrixWorld,$.matrix),$.matrixWorldInverse.copy($.matrixWorld).invert()}this.updateCamera=function($){if(s===null)return;let se=$.near,pe=$.far;g.texture!==null&&(g.depthNear>0&&(se=g.depthNear),g.depthFar>0&&(pe=g.depthFar)),q.near=N.near=P.near=se,q.far=N.far=P.far=pe,(I!==q.near||G!==q.far)&&(s.updateRenderState({depthNear:q.near,depthFar:q.far}),I=q.near,G=q.far),q.layers.mask=$.layers.mask|6,P.layers.mask=q.layers.mask&-5,N.layers.mask=q.layers.mask&-3;let Te=$.parent,me=q.cameras;H(q,Te);for(let Ie=0;Ie<me.length;Ie++)H(me[Ie],Te);q.projectionMatrix.copy(P.projectionMatrix),q.projectionMatrixInverse.copy(P.projectionMatrixInverse),F===null&&$.isPerspectiveCamera&&(F={camera:$,fov:$.fov,zoom:$.zoom}),K($,q,Te)};function K($,se,pe){pe===null?$.matrix.copy(se.matrixWorld):($.matrix.copy(pe.matrixWorld),$.matrix.invert(),$.matrix.multiply(se.matrixWorld)),$.matrix.decompose($.position,$.quaternion,$.scale),$.updateMatrixWorld(!0),$.projectionMatrix.copy(se.projectionMatrix),$.projectionMatrixInverse.copy(se.projectionMatrixInverse),$.isPerspectiveCamera&&($.fov=to*2*Math.atan(1/$.projectionMatrix.elements[5]),$.zoom=1)}this.getCamera=function(){return q},this.getFoveation=function(){if(!(d===null&&u===null))return l},this.setFoveation=function($){l=$,d!==null&&(d.fixedFoveation=$),u!==null&&u.fixedFoveation!==void 0&&(u.fixedFoveation=$)},this.hasDepthSensing=function(){return g.texture!==null},this.getDepthSensingMesh=function(){return g.getMesh(q)},this.getCameraTexture=function($){return m[$]};let te=null;function ve($,se){if(h=se.getViewerPose(c||a),p=se,h!==null){let pe=h.views;u!==null&&(e.setRenderTargetFramebuffer(M,u.framebuffer),e.setRenderTarget(M));let Te=!1;pe.length!==q.cameras.length&&(q.cameras.length=0,Te=!0);for(let Ce=0;Ce<pe.length;Ce++){let $e=pe[Ce],je=null;if(u!==null)je=u.getViewport($e);else{let Nt=f.getViewSubImage(d,$e);je=Nt.viewport,Ce===0&&(e.setRenderTargetTextures(M,Nt.colorTexture,Nt.depthStencilTexture),e.setRenderTarget(M))}let He=B[Ce];He===void 0&&(He=new Vt,He.layers.enable(Ce),He.viewport=new et,B[Ce]=He),He.matrix.fromArray($e.transform.matrix),He.matrix.decompose(He.position,He.quaternion,He.scale),He.projectionMatrix.fromArray($e.projectionMatrix),He.projectionMatrixInverse.copy(He.projectionMatrix).invert(),He.viewport.set(je.x,je.y,je.width,je.height),Ce===0&&(q.matrix.copy(He.matrix),q.matrix.decompose(q.position,q.quaternion,q.scale)),Te===!0&&q.cameras.push(He)}let me=s.enabledFeatures;if(me&&me.includes("depth-sensing")&&s.depthUsage=="gpu-optimized"&&v){f=n.getBinding();let Ce=f.getDepthInformation(pe[0]);Ce&&Ce.isValid&&Ce.texture&&g.init(Ce,s.renderState)}if(me&&me.includes("camera-access")&&v){e.state.unbindTexture(),f=n.getBinding();for(let Ce=0;Ce<pe.length;Ce++){let $e=pe[Ce].camera;if($e){let je=m[$e];je||(je=new Ir,m[$e]=je);let He=f.getCameraImage($e);je.sourceTexture=He}}}}for(let pe=0;pe<A.length;pe++){let Te=w[pe],me=A[pe];Te!==null&&me!==void 0&&me.update(Te,se,c||a)}te&&te($,se),se.detectedPlanes&&n.dispatchEvent({type:"planesdetected",data:se}),p=null}let Ae=new Df;Ae.setAnimationLoop(ve),this.setAnimationLoop=function($){te=$},this.dispose=function(){}}},sv=new rt,Wf=new De;Wf.set(-1,0,0,0,1,0,0,0,1);function rv(i,e){function t(g,m){g.matrixAutoUpdate===!0&&g.updateMatrix(),m.value.copy(g.matrix)}function n(g,m){m.color.getRGB(g.fogColor.value,th(i)),m.isFog?(g.fogNear.value=m.near,g.fogFar.value=m.far):m.isFogExp2&&(g.fogDensity.value=m.density)}function s(g,m,_,E,M){m.isNodeMaterial?m.uniformsNeedUpdate=!1:m.isMeshBasicMaterial?r(g,m):m.isMeshLambertMaterial?(r(g,m),m.envMap&&(g.envMapIntensity.value=m.envMapIntensity)):m.isMeshToonMaterial?(r(g,m),f(g,m)):m.isMeshPhongMaterial?(r(g,m),h(g,m),m.envMap&&(g.envMapIntensity.value=m.envMapIntensity)):m.isMeshStandardMaterial?(r(g,m),d(g,m),m.isMeshPhysicalMaterial&&u(g,m,M)):m.isMeshMatcapMaterial?(r(g,m),p(g,m)):m.isMeshDepthMaterial?r(g,m):m.isMeshDistanceMaterial?(r(g,m),v(g,m)):m.isMeshNormalMaterial?r(g,m):m.isLineBasicMaterial?(a(g,m),m.isLineDashedMaterial&&o(g,m)):m.isPointsMaterial?l(g,m,_,E):m.isSpriteMaterial?c(g,m):m.isShadowMaterial?(g.color.value.copy(m.color),g.opacity.value=m.opacity):m.isShaderMaterial&&(m.uniformsNeedUpdate=!1)}function r(g,m){g.opacity.value=m.opacity,m.color&&g.diffuse.value.copy(m.color),m.emissive&&g.emissive.value.copy(m.emissive).multiplyScalar(m.emissiveIntensity),m.map&&(g.map.value=m.map,t(m.map,g.mapTransform)),m.alphaMap&&(g.alphaMap.value=m.alphaMap,t(m.alphaMap,g.alphaMapTransform)),m.bumpMap&&(g.bumpMap.value=m.bumpMap,t(m.bumpMap,g.bumpMapTransform),g.bumpScale.value=m.bumpScale,m.side===$t&&(g.bumpScale.value*=-1)),m.normalMap&&(g.normalMap.value=m.normalMap,t(m.normalMap,g.normalMapTransform),g.normalScale.value.copy(m.normalScale),m.side===$t&&g.normalScale.value.negate()),m.displacementMap&&(g.displacementMap.value=m.displacementMap,t(m.displacementMap,g.displacementMapTransform),g.displacementScale.value=m.displacementScale,g.displacementBias.value=m.displacementBias),m.emissiveMap&&(g.emissiveMap.value=m.emissiveMap,t(m.emissiveMap,g.emissiveMapTransform)),m.specularMap&&(g.specularMap.value=m.specularMap,t(m.specularMap,g.specularMapTransform)),m.alphaTest>0&&(g.alphaTest.value=m.alphaTest);let _=e.get(m),E=_.envMap,M=_.envMapRotation;E&&(g.envMap.value=E,g.envMapRotation.value.setFromMatrix4(sv.makeRotationFromEuler(M)).transpose(),E.isCubeTexture&&E.isRenderTargetTexture===!1&&g.envMapRotation.value.premultiply(Wf),g.reflectivity.value=m.reflectivity,g.ior.value=m.ior,g.refractionRatio.value=m.refractionRatio),m.lightMap&&(g.lightMap.value=m.lightMap,g.lightMapIntensity.value=m.lightMapIntensity,t(m.lightMap,g.lightMapTransform)),m.aoMap&&(g.aoMap.value=m.aoMap,g.aoMapIntensity.value=m.aoMapIntensity,t(m.aoMap,g.aoMapTransform))}function a(g,m){g.diffuse.value.copy(m.color),g.opacity.value=m.opacity,m.map&&(g.map.value=m.map,t(m.map,g.mapTransform))}function o(g,m){g.dashSize.value=m.dashSize,g.totalSize.value=m.dashSize+m.gapSize,g.scale.value=m.scale}function l(g,m,_,E){g.diffuse.value.copy(m.color),g.opacity.value=m.opacity,g.size.value=m.size*_,g.scale.value=E*.5,m.map&&(g.map.value=m.map,t(m.map,g.uvTransform)),m.alphaMap&&(g.alphaMap.value=m.alphaMap,t(m.alphaMap,g.alphaMapTransform)),m.alphaTest>0&&(g.alphaTest.value=m.alphaTest)}function c(g,m){g.diffuse.value.copy(m.color),g.opacity.value=m.opacity,g.rotation.value=m.rotation,m.map&&(g.map.value=m.map,t(m.map,g.mapTransform)),m.alphaMap&&(g.alphaMap.value=m.alphaMap,t(m.alphaMap,g.alphaMapTransform)),m.alphaTest>0&&(g.alphaTest.value=m.alphaTest)}function h(g,m){g.specular.value.copy(m.specular),g.shininess.value=Math.max(m.shininess,1e-4)}function f(g,m){m.gradientMap&&(g.gradientMap.value=m.gradientMap)}function d(g,m){g.metalness.value=m.metalness,m.metalnessMap&&(g.metalnessMap.value=m.metalnessMap,t(m.metalnessMap,g.metalnessMapTransform)),g.roughness.value=m.roughness,m.roughnessMap&&(g.roughnessMap.value=m.roughnessMap,t(m.roughnessMap,g.roughnessMapTransform)),m.envMap&&(g.envMapIntensity.value=m.envMapIntensity)}function u(g,m,_){g.ior.value=m.ior,m.diffuseRoughness>0&&(g.diffuseRoughness.value=m.diffuseRoughness,m.diffuseRoughnessMap&&(g.diffuseRoughnessMap.value=m.diffuseRoughnessMap,t(m.diffuseRoughnessMap,g.diffuseRoughnessMapTransform))),m.sheen>0&&(g.sheenColor.value.copy(m.sheenColor).multiplyScalar(m.sheen),g.sheenRoughness.value=m.sheenRoughness,m.sheenColorMap&&(g.sheenColorMap.value=m.sheenColorMap,t(m.sheenColorMap,g.sheenColorMapTransform)),m.sheenRoughnessMap&&(g.sheenRoughnessMap.value=m.sheenRoughnessMap,t(m.sheenRoughnessMap,g.sheenRoughnessMapTransform))),m.clearcoat>0&&(g.clearcoat.value=m.clearcoat,g.clearcoatRoughness.value=m.clearcoatRoughness,m.clearcoatMap&&(g.clearcoatMap.value=m.clearcoatMap,t(m.clearcoatMap,g.clearcoatMapTransform)),m.clearcoatRoughnessMap&&(g.clearcoatRoughnessMap.value=m.clearcoatRoughnessMap,t(m.clearcoatRoughnessMap,g.clearcoatRoughnessMapTransform)),m.clearcoatNormalMap&&(g.clearcoatNormalMap.value=m.clearcoatNormalMap,t(m.clearcoatNormalMap,g.clearcoatNormalMapTransform),g.clearcoatNormalScale.value.copy(m.clearcoatNormalScale),m.side===$t&&g.clearcoatNormalScale.value.negate())),m.dispersion>0&&(g.dispersion.value=m.dispersion),m.retroreflectivity>0&&(g.retroreflectivity.value=m.retroreflectivity),m.iridescence>0&&(g.iridescence.value=m.iridescence,g.iridescenceIOR.value=m.iridescenceIOR,g.iridescenceThicknessMinimum.value=m.iridescenceThicknessMinimum,g.iridescenceThicknessMaximum.value=m.iridescenceThicknessMaximum,m.iridescenceMap&&(g.iridescenceMap.value=m.iridescenceMap,t(m.iridescenceMap,g.iridescenceMapTransform)),m.iridescenceThicknessMap&&(g.iridescenceThicknessMap.value=m.iridescenceThicknessMap,t(m.iridescenceThicknessMap,g.iridescenceThicknessMapTransform))),m.transmission>0&&(g.transmission.value=m.transmission,g.transmissionSamplerMap.value=_.texture,g.transmissionSamplerSize.value.set(_.width,_.height),m.transmissionMap&&(g.transmissionMap.value=m.transmissionMap,t(m.transmissionMap,g.transmissionMapTransform)),g.thickness.value=m.thickness,m.thicknessMap&&(g.thicknessMap.value=m.thicknessMap,t(m.thicknessMap,g.thicknessMapTransform)),g.attenuationDistance.value=m.attenuationDistance,g.attenuationColor.value.copy(m.attenuationColor)),m.anisotropy>0&&(g.anisotropyVector.value.set(m.anisotropy*Math.cos(m.anisotropyRotation),m.anisotropy*Math.sin(m.anisotropyRotation)),m.anisotropyMap&&(g.anisotropyMap.value=m.anisotropyMap,t(m.anisotropyMap,g.anisotropyMapTransform))),g.specularIntensity.value=m.specularIntensity,g.specularColor.value.copy(m.specularColor),m.specularColorMap&&(g.specularColorMap.value=m.specularColorMap,t(m.specularColorMap,g.specularColorMapTransform)),m.specularIntensityMap&&(g.specularIntensityMap.value=m.specularIntensityMap,t(m.specularIntensityMap,g.specularIntensityMapTransform))}function p(g,m){m.matcap&&(g.matcap.value=m.matcap)}function v(g,m){let _=e.get(m).light;g.referencePosition.value.setFromMatrixPosition(_.matrixWorld),g.nearDistance.value=_.shadow.camera.near,g.farDistance.value=_.shadow.camera.far}return{refreshFogUniforms:n,refreshMaterialUniforms:s}}function av(i,e,t,n){let s={},r={};function a(_,E){let M=E.program;n.uniformBlockBinding(_,M,s[_.id])}function o(_,E){let M=s[_.id];M===void 0&&(p(_),M=l(_),s[_.id]=M,_.addEventListener("dispose",g));let A=E.program;n.updateUBOMapping(_,A);let w=e.render.frame;r[_.id]!==w&&(c(_),r[_.id]=w)}function l(_){let E=i.createBuffer(),M=_.__size,A=_.usage;return i.bindBuffer(i.UNIFORM_BUFFER,E),i.bufferData(i.UNIFORM_BUFFER,M,A),i.bindBuffer(i.UNIFORM_BUFFER,null),E}function c(_){let E=s[_.id],M=_.uniforms,A=_.__cache;i.bindBuffer(i.UNIFORM_BUFFER,E);for(let w=0,x=M.length;w<x;w++){let S=M[w];if(Array.isArray(S))for(let F=0,P=S.length;F<P;F++)h(S[F],w,F,A);else h(S,w,0,A)}i.bindBuffer(i.UNIFORM_BUFFER,null)}function h(_,E,M,A){if(d(_,E,M,A)===!0){let w=_.__offset,x=_.value;if(Array.isArray(x)){let S=0;for(let F=0;F<x.length;F++){let P=x[F],N=v(P,!0);f(P,_.__data,S),S+=N.storage/Float32Array.BYTES_PER_ELEMENT}}else f(x,_.__data,0);i.bufferSubData(i.UNIFORM_BUFFER,w,_.__data)}}function f(_,E,M){typeof _=="number"||typeof _=="boolean"?E[M]=_:_.isMatrix3?(E[M]=_.elements[0],E[M+1]=_.elements[1],E[M+2]=_.elements[2],E[M+3]=0,E[M+4]=_.elements[3],E[M+5]=_.elements[4],E[M+6]=_.elements[5],E[M+7]=0,E[M+8]=_.elements[6],E[M+9]=_.elements[7],E[M+10]=_.elements[8],E[M+11]=0):ArrayBuffer.isView(_)?E.set(_.subarray(0,E.length-M),M):_.toArray(E,M)}function d(_,E,M,A){let w=_.value,x=E+"_"+M;if(Array.isArray(w)){A[x]===void 0&&(A[x]=[]);let S=A[x],F=!1;for(let P=0;P<w.length;P++)u(w[P],S,P)===!0&&(F=!0);return F}return u(w,A,x)}function u(_,E,M){if(E[M]===void 0)return typeof _=="number"||typeof _=="boolean"?E[M]=_:ArrayBuffer.isView(_)?E[M]=_.slice():E[M]=_.clone(),!0;{let A=E[M];if(typeof _=="number"||typeof _=="boolean"){if(A!==_)return E[M]=_,!0}else{if(ArrayBuffer.isView(_))return!0;if(A.equals(_)===!1)return A.copy(_),!0}}return!1}function p(_){let E=_.uniforms,M=0,A=16;for(let x=0,S=E.length;x<S;x++){let F=Array.isArray(E[x])?E[x]:[E[x]];for(let P=0,N=F.length;P<N;P++){let B=F[P],q=Array.isArray(B.value)?B.value:[B.value],I=Array.isArray(E[x])||Array.isArray(B.value),G=M;for(let z=0,ee=q.length;z<ee;z++){let H=q[z],K=v(H,I),te=M%A,ve=te%K.boundary,Ae=te+ve;M+=ve,Ae!==0&&A-Ae<K.storage&&(M+=A-Ae),z===0&&(G=M),M+=K.storage}let X=B.type==="int"?Int32Array:B.type==="uint"?Uint32Array:Float32Array;B.__data=new X((M-G)/Float32Array.BYTES_PER_ELEMENT),B.__offset=G}}let w=M%A;return w>0&&(M+=A-w),_.__size=M,_.__cache={},this}function v(_,E){let M={boundary:0,storage:0};return typeof _=="number"||typeof _=="boolean"?(M.boundary=4,M.storage=4):_.isVector2?(M.boundary=8,M.storage=8):_.isVector3||_.isColor?(M.boundary=16,M.storage=12):_.isVector4?(M.boundary=16,M.storage=16):_.isMatrix3?(M.boundary=16,M.storage=48):_.isMatrix4?(M.boundary=16,M.storage=64):_.isTexture?Pe("WebGLRenderer: Texture samplers can not be part of an uniforms group."):ArrayBuffer.isView(_)?(M.boundary=16,M.storage=_.byteLength):Pe("WebGLRenderer: Unsupported uniform value type.",_),E===!0&&(M.boundary=16,M.storage=Math.ceil(M.storage/16)*16),M}function g(_){let E=_.target;E.removeEventListener("dispose",g),i.deleteBuffer(s[E.id]),delete s[E.id],delete r[E.id]}function m(){for(let _ in s)i.deleteBuffer(s[_]);s={},r={}}return{bind:a,update:o,dispose:m}}var ov=new Uint16Array([12469,15057,12620,14925,13266,14620,13807,14376,14323,13990,14545,13625,14713,13328,14840,12882,14931,12528,14996,12233,15039,11829,15066,11525,15080,11295,15085,10976,15082,10705,15073,10495,13880,14564,13898,14542,13977,14430,14158,14124,14393,13732,14556,13410,14702,12996,14814,12596,14891,12291,14937,11834,14957,11489,14958,11194,14943,10803,14921,10506,14893,10278,14858,9960,14484,14039,14487,14025,14499,13941,14524,13740,14574,13468,14654,13106,14743,12678,14818,12344,14867,11893,14889,11509,14893,11180,14881,10751,14852,10428,14812,10128,14765,9754,14712,9466,14764,13480,14764,13475,14766,13440,14766,13347,14769,13070,14786,12713,14816,12387,14844,11957,14860,11549,14868,11215,14855,10751,14825,10403,14782,10044,14729,9651,14666,9352,14599,9029,14967,12835,14966,12831,14963,12804,14954,12723,14936,12564,14917,12347,14900,11958,14886,11569,14878,11247,14859,10765,14828,10401,14784,10011,14727,9600,14660,9289,14586,8893,14508,8533,15111,12234,15110,12234,15104,12216,15092,12156,15067,12010,15028,11776,14981,11500,14942,11205,14902,10752,14861,10393,14812,9991,14752,9570,14682,9252,14603,8808,14519,8445,14431,8145,15209,11449,15208,11451,15202,11451,15190,11438,15163,11384,15117,11274,15055,10979,14994,10648,14932,10343,14871,9936,14803,9532,14729,9218,14645,8742,14556,8381,14461,8020,14365,7603,15273,10603,15272,10607,15267,10619,15256,10631,15231,10614,15182,10535,15118,10389,15042,10167,14963,9787,14883,9447,14800,9115,14710,8665,14615,8318,14514,7911,14411,7507,14279,7198,15314,9675,15313,9683,15309,9712,15298,9759,15277,9797,15229,9773,15166,9668,15084,9487,14995,9274,14898,8910,14800,8539,14697,8234,14590,7790,14479,7409,14367,7067,14178,6621,15337,8619,15337,8631,15333,8677,15325,8769,15305,8871,15264,8940,15202,8909,15119,8775,15022,8565,14916,8328,14804,8009,14688,7614,14569,7287,14448,6888,14321,6483,14088,6171,15350,7402,15350,7419,15347,7480,15340,7613,15322,7804,15287,7973,15229,8057,15148,8012,15046,7846,14933,7611,14810,7357,14682,7069,14552,6656,14421,6316,14251,5948,14007,5528,15356,5942,15356,5977,15353,6119,15348,6294,15332,6551,15302,6824,15249,7044,15171,7122,15070,7050,14949,6861,14818,6611,14679,6349,14538,6067,14398,5651,14189,5311,13935,4958,15359,4123,15359,4153,15356,4296,15353,4646,15338,5160,15311,5508,15263,5829,15188,6042,15088,6094,14966,6001,14826,5796,14678,5543,14527,5287,14377,4985,14133,4586,13869,4257,15360,1563,15360,1642,15358,2076,15354,2636,15341,3350,15317,4019,15273,4429,15203,4732,15105,4911,14981,4932,14836,4818,14679,4621,14517,4386,14359,4156,14083,3795,13808,3437,15360,122,15360,137,15358,285,15355,636,15344,1274,15322,2177,15281,2765,15215,3223,15120,3451,14995,3569,14846,3567,14681,3466,14511,3305,14344,3121,14037,2800,13753,2467,15360,0,15360,1,15359,21,15355,89,15346,253,15325,479,15287,796,15225,1148,15133,1492,15008,1749,14856,1882,14685,1886,14506,1783,14324,1608,13996,1398,13702,1183]),Xn=null;function lv(){return Xn===null&&(Xn=new Ji(ov,16,16,Ii,Ln),Xn.name="DFG_LUT",Xn.minFilter=Ut,Xn.magFilter=Ut,Xn.wrapS=Vn,Xn.wrapT=Vn,Xn.generateMipmaps=!1,Xn.needsUpdate=!0),Xn}var fl=class{constructor(e={}){let{canvas:t=tf(),context:n=null,depth:s=!0,stencil:r=!1,alpha:a=!1,antialias:o=!1,premultipliedAlpha:l=!0,preserveDrawingBuffer:c=!1,powerPreference:h="default",failIfMajorPerformanceCaveat:f=!1,reversedDepthBuffer:d=!1,outputBufferType:u=Yt}=e;this.isWebGLRenderer=!0;let p;if(n!==null){if(typeof WebGLRenderingContext<"u"&&n instanceof WebGLRenderingContext)throw new Error("THREE.WebGLRenderer: WebGL 1 is not supported since r163.");p=n.getContextAttributes().alpha}else p=a;let v=u,g=new Set([Lo,Io,Po]),m=new Set([Yt,In,ks,es,Co,Ro]),_=new Uint32Array(4),E=new Int32Array(4),M={textures:[],min:[],max:[],resolution:[]},A=null,w=null,x=[],S=[],F=null;this.domElement=t,this.debug={checkShaderErrors:!0,diagnostics:{keywords:!1},onShaderError:null},this.autoClear=!0,this.autoClearColor=!0,this.autoClearDepth=!0,this.autoClearStencil=!0,this.sortObjects=!0,this.clippingPlanes=[],this.localClippingEnabled=!1,this.toneMapping=Wn,this.toneMappingExposure=1,this.transmissionResolutionScale=1;let P=this,N=!1,B=null,q=null,I=null,G=null;this._outputColorSpace=an;let X=0,z=0,ee=null,H=-1,K=null,te=new et,ve=new et,Ae=null,$=new Be(0),se=0,pe=t.width,Te=t.height,me=1,Ie=null,at=null,Ce=new et(0,0,pe,Te),$e=new et(0,0,pe,Te),je=!1,He=new Zi,Nt=new oo,bt=!1,Jt=!1,ct=new rt,Dn=new O,Ct=new et,dn={background:null,fog:null,environment:null,overrideMaterial:null,isScene:!0},fn=!1;function pn(){return ee===null?me:1}let D=n;function mn(b,L){return t.getContext(b,L)}let ot,lt,fe,St,Re,Fe,T,y,k,ne,Q,ae,ue,J,Z,le,C,j,Y,ce,re,oe,we;try{let b={alpha:!0,depth:s,stencil:r,antialias:o,premultipliedAlpha:l,preserveDrawingBuffer:c,powerPreference:h,failIfMajorPerformanceCaveat:f};if("setAttribute"in t&&t.setAttribute("data-engine",`three.js r${"187"}`),t.addEventListener("webglcontextlost",Ee,!1),t.addEventListener("webglcontextrestored",Oe,!1),t.addEventListener("webglcontextcreationerror",ge,!1),D===null){let L="webgl2";if(D=mn(L,b),D===null)throw mn(L)?new Error("THREE.WebGLRenderer: Error creating WebGL context with your selected attributes."):new Error("THREE.WebGLRenderer: Error creating WebGL context.")}ke()}catch(b){throw t.removeEventListener("webglcontextlost",Ee,!1),t.removeEventListener("webglcontextrestored",Oe,!1),t.removeEventListener("webglcontextcreationerror",ge,!1),Le("WebGLRenderer: "+b.message),b}function ke(){ot=new vx(D),ot.init(),re=new tv(D,ot),lt=new lx(D,ot,e,re),fe=new Qy(D,ot),lt.reversedDepthBuffer&&d&&fe.buffers.depth.setReversed(!0),q=D.createFramebuffer(),I=D.createFramebuffer(),G=D.createFramebuffer(),St=new Sx(D),Re=new By,Fe=new ev(D,ot,fe,Re,lt,re,St),T=new yx(P),y=new wm(D),oe=new ax(D,y),k=new _x(D,y,St,oe),ne=new wx(D,k,y,oe,St),j=new Mx(D,lt,Fe),Z=new cx(Re),Q=new ky(P,T,ot,lt,oe,Z),ae=new rv(P,Re),ue=new Vy,J=new $y(ot),C=new rx(P,T,fe,ne,p,l),le=new jy(P,ne,lt),we=new av(D,St,lt,fe),Y=new ox(D,ot,St),ce=new bx(D,ot,St),St.programs=Q.programs,P.capabilities=lt,P.extensions=ot,P.properties=Re,P.renderLists=ue,P.shadowMap=le,P.state=fe,P.info=St}v!==Yt&&(F=new Tx(v,t.width,t.height,o,s,r));let ie=new ph(P,D);this.xr=ie,this.getContext=function(){return D},this.getContextAttributes=function(){return D.getContextAttributes()},this.forceContextLoss=function(){let b=ot.get("WEBGL_lose_context");b&&b.loseContext()},this.forceContextRestore=function(){let b=ot.get("WEBGL_lose_context");b&&b.restoreContext()},this.getPixelRatio=function(){return me},this.setPixelRatio=function(b){b!==void 0&&(me=b,this.setSize(pe,Te,!1))},this.getSize=function(b){return b.set(pe,Te)},this.setSize=function(b,L,W=!0){if(ie.isPresenting){Pe("WebGLRenderer: Can't change size while VR device is presenting.");return}pe=b,Te=L,t.width=Math.floor(b*me),t.height=Math.floor(L*me),W===!0&&(t.style.width=b+"px",t.style.height=L+"px"),F!==null&&F.setSize(t.width,t.height),this.setViewport(0,0,b,L)},this.getDrawingBufferSize=function(b){return b.set(pe*me,Te*me).floor()},this.setDrawingBufferSize=function(b,L,W){pe=b,Te=L,me=W,t.width=Math.floor(b*W),t.height=Math.floor(L*W),this.setViewport(0,0,b,L)},this.setEffects=function(b){if(v===Yt){Le("WebGLRenderer: setEffects() requires outputBufferType set to HalfFloatType or FloatType.");return}if(b){for(let L=0;L<b.length;L++)if(b[L].isOutputPass===!0){Pe("WebGLRenderer: OutputPass is not needed in setEffects(). Tone mapping and color space conversion are applied automatically.");break}}F.setEffects(b||[])},this.getCurrentViewport=function(b){return b.copy(te)},this.getViewport=function(b){return b.copy(Ce)},this.setViewport=function(b,L,W,U){b.isVector4?Ce.set(b.x,b.y,b.z,b.w):Ce.set(b,L,W,U),fe.viewport(te.copy(Ce).multiplyScalar(pn()).round())},this.getScissor=function(b){return b.copy($e)},this.setScissor=function(b,L,W,U){b.isVector4?$e.set(b.x,b.y,b.z,b.w):$e.set(b,L,W,U),fe.scissor(ve.copy($e).multiplyScalar(pn()).round())},this.getScissorTest=function(){return je},this.setScissorTest=function(b){fe.setScissorTest(je=b)},this.setOpaqueSort=function(b){Ie=b},this.setTransparentSort=function(b){at=b},this.getClearColor=function(b){return b.copy(C.getClearColor())},this.setClearColor=function(){C.setClearColor(...arguments)},this.getClearAlpha=function(){return C.getClearAlpha()},this.setClearAlpha=function(){C.setClearAlpha(...arguments)},this.clear=function(b=!0,L=!0,W=!0){let U=0;if(b){let V=!1;if(ee!==null){let de=ee.texture.format;V=g.has(de)}if(V){let de=ee.texture.type,_e=m.has(de),he=C.getClearColor(),ye=C.getClearAlpha(),Me=he.r,Ue=he.g,Ge=he.b;_e?(_[0]=Me,_[1]=Ue,_[2]=Ge,_[3]=ye,D.clearBufferuiv(D.COLOR,0,_)):(E[0]=Me,E[1]=Ue,E[2]=Ge,E[3]=ye,D.clearBufferiv(D.COLOR,0,E))}else U|=D.COLOR_BUFFER_BIT}L&&(U|=D.DEPTH_BUFFER_BIT,this.state.buffers.depth.setMask(!0)),W&&(U|=D.STENCIL_BUFFER_BIT,this.state.buffers.stencil.setMask(4294967295)),U!==0&&D.clear(U)},this.clearColor=function(){this.clear(!0,!1,!1)},this.clearDepth=function(){this.clear(!1,!0,!1)},this.clearStencil=function(){this.clear(!1,!1,!0)},this.setNodesHandler=function(b){b.setRenderer(this),B=b},this.dispose=function(){t.removeEventListener("webglcontextlost",Ee,!1),t.removeEventListener("webglcontextrestored",Oe,!1),t.removeEventListener("webglcontextcreationerror",ge,!1),C.dispose(),ue.dispose(),J.dispose(),Fe.dispose(),Re.dispose(),T.dispose(),ne.dispose(),k.dispose(),oe.dispose(),we.dispose(),Q.dispose(),ie.dispose(),ie.removeEventListener("sessionstart",Eh),ie.removeEventListener("sessionend",Ch),Fi.stop()};function Ee(b){b.preventDefault(),br("WebGLRenderer: Context Lost."),N=!0}function Oe(){br("WebGLRenderer: Context Restored."),N=!1;let b=St.autoReset,L=le.enabled,W=le.autoUpdate,U=le.needsUpdate,V=le.type;ke(),St.autoReset=b,le.enabled=L,le.autoUpdate=W,le.needsUpdate=U,le.type=V}function ge(b){Le("WebGLRenderer: A WebGL context could not be created. Reason: ",b.statusMessage)}function Ke(b){let L=b.target;L.removeEventListener("dispose",Ke),Rt(L)}function Rt(b){fi(b),Re.remove(b)}function fi(b){let L=Re.get(b).programs;L!==void 0&&(L.forEach(function(W){Q.releaseProgram(W)}),b.isShaderMaterial&&Q.releaseShaderCache(b))}this.renderBufferDirect=function(b,L,W,U,V,de){L===null&&(L=dn);let _e=V.isMesh&&V.matrixWorld.determinantAffine()<0,he=pp(b,L,W,U,V);fe.setMaterial(U,_e);let ye=W.index,Me=1;if(U.wireframe===!0){if(ye=k.getWireframeAttribute(W),ye===void 0)return;Me=2}let Ue=W.drawRange,Ge=W.attributes.position,be=Ue.start*Me,We=(Ue.start+Ue.count)*Me;de!==null&&(be=Math.max(be,de.start*Me),We=Math.min(We,(de.start+de.count)*Me)),ye!==null?(be=Math.max(be,0),We=Math.min(We,ye.count)):Ge!=null&&(be=Math.max(be,0),We=Math.min(We,Ge.count));let mt=We-be;if(mt<0||mt===1/0)return;oe.setup(V,U,he,W,ye);let tt,Qe=Y;if(ye!==null&&(tt=y.get(ye),Qe=ce,Qe.setIndex(tt)),V.isMesh)U.wireframe===!0?(fe.setLineWidth(U.wireframeLinewidth*pn()),Qe.setMode(D.LINES)):Qe.setMode(D.TRIANGLES);else if(V.isLine){let Ot=U.linewidth;Ot===void 0&&(Ot=1),fe.setLineWidth(Ot*pn()),V.isLineSegments?Qe.setMode(D.LINES):V.isLineLoop?Qe.setMode(D.LINE_LOOP):Qe.setMode(D.LINE_STRIP)}else V.isPoints?Qe.setMode(D.POINTS):V.isSprite&&Qe.setMode(D.TRIANGLES);if(V.isBatchedMesh)if(ot.get("WEBGL_multi_draw"))Qe.renderMultiDraw(V._multiDrawStarts,V._multiDrawCounts,V._multiDrawCount);else{let Ot=V._multiDrawStarts,Se=V._multiDrawCounts,Gt=V._multiDrawCount,Je=ye?y.get(ye).bytesPerElement:1,Ui=Re.get(U).currentProgram.getUniforms();for(let kt=0;kt<Gt;kt++)Ui.setValue(D,"_gl_DrawID",kt),Qe.render(Ot[kt]/Je,Se[kt])}else if(V.isInstancedMesh)Qe.renderInstances(be,mt,V.count);else if(W.isInstancedBufferGeometry){let Ot=W._maxInstanceCount!==void 0?W._maxInstanceCount:1/0,Se=Math.min(W.instanceCount,Ot);Qe.renderInstances(be,mt,Se)}else Qe.render(be,mt)};function Th(b,L,W,U){B!==null&&b.isNodeMaterial&&B.setObject(U,b),bt===!0&&Z.setState(b,W,!1),b.transparent===!0&&b.side===bn&&b.forceSinglePass===!1?(b.side=$t,b.needsUpdate=!0,Xs(b,L,U),b.side=Pi,b.needsUpdate=!0,Xs(b,L,U),b.side=bn):Xs(b,L,U)}this.compile=function(b,L,W=null){W===null&&(W=b),B!==null&&B.renderStart(b,L,W),w=J.get(W),w.init(L),S.push(w),W.traverseVisible(function(V){V.isLight&&V.layers.test(L.layers)&&(w.pushLight(V),V.castShadow&&w.pushShadow(V))}),b!==W&&b.traverseVisible(function(V){V.isLight&&V.layers.test(L.layers)&&(w.pushLight(V),V.castShadow&&w.pushShadow(V))}),w.setupLights(),B!==null&&B.updateLights(w.state.lightsArray),Jt=this.localClippingEnabled,bt=Z.init(this.clippingPlanes,Jt),bt===!0&&Z.setGlobalState(this.clippingPlanes,L),B!==null&&le.render(w.state.shadowsArray,W,L);let U=new Set;return b.traverse(function(V){if(!(V.isMesh||V.isPoints||V.isLine||V.isSprite))return;let de=V.material;if(de)if(Array.isArray(de))for(let _e=0;_e<de.length;_e++){let he=de[_e];Th(he,W,L,V),U.add(he)}else Th(de,W,L,V),U.add(de)}),w=S.pop(),B!==null&&B.renderEnd(),U},this.compileAsync=function(b,L,W=null){let U=this.compile(b,L,W);return new Promise(V=>{function de(){if(U.forEach(function(_e){let ye=Re.get(_e).currentProgram;(ye===void 0||ye.isReady())&&U.delete(_e)}),U.size===0){V(b);return}setTimeout(de,10)}ot.get("KHR_parallel_shader_compile")!==null?de():setTimeout(de,10)})};let Ul=null;function dp(b){Ul&&Ul(b)}function Eh(){Fi.stop()}function Ch(){Fi.start()}let Fi=new Df;Fi.setAnimationLoop(dp),typeof self<"u"&&Fi.setContext(self),this.setAnimationLoop=function(b){Ul=b,ie.setAnimationLoop(b),b===null?Fi.stop():Fi.start()},ie.addEventListener("sessionstart",Eh),ie.addEventListener("sessionend",Ch),this.render=function(b,L){if(L!==void 0&&L.isCamera!==!0){Le("WebGLRenderer.render: camera is not an instance of THREE.Camera.");return}if(N===!0)return;B!==null&&B.renderStart(b,L);let W=ie.enabled===!0&&ie.isPresenting===!0,U=F!==null&&(ee===null||W)&&F.begin(P,ee);if(b.matrixWorldAutoUpdate===!0&&b.updateMatrixWorld(),L.parent===null&&L.matrixWorldAutoUpdate===!0&&L.updateMatrixWorld(),ie.enabled===!0&&ie.isPresenting===!0&&(F===null||F.isCompositing()===!1)&&(ie.cameraAutoUpdate===!0&&ie.updateCamera(L),L=ie.getCamera()),b.isScene===!0&&b.onBeforeRender(P,b,L,ee),w=J.get(b,S.length),w.init(L),w.state.textureUnits=Fe.getTextureUnits(),S.push(w),ct.multiplyMatrices(L.projectionMatrix,L.matrixWorldInverse),L.isArrayCamera?Nt.setFromArrayCamera(L):He.setFromProjectionMatrix(ct,vn,L.reversedDepth),Jt=this.localClippingEnabled,bt=Z.init(this.clippingPlanes,Jt),A=ue.get(b,x.length),A.init(),x.push(A),this.info.render.frame++,ie.enabled===!0&&ie.isPresenting===!0){let _e=P.xr.getDepthSensingMesh();_e!==null&&Ol(_e,L,-1/0,P.sortObjects)}Ol(b,L,0,P.sortObjects),A.finish(),B!==null&&B.updateLights(w.state.lightsArray),P.sortObjects===!0&&A.sort(Ie,at),fn=ie.enabled===!1||ie.isPresenting===!1||ie.hasDepthSensing()===!1,fn&&C.addToRenderList(A,b),this.info.autoReset===!0&&this.info.reset(),bt===!0&&Z.beginShadows();let V=w.state.shadowsArray;if(le.render(V,b,L),bt===!0&&Z.endShadows(),(U&&F.hasRenderPass())===!1){let _e=A.opaque,he=A.transmissive;if(w.setupLights(),L.isArrayCamera){let ye=L.cameras;if(he.length>0)for(let Me=0,Ue=ye.length;Me<Ue;Me++){let Ge=ye[Me];Ph(_e,he,b,Ge)}fn&&C.render(b);for(let Me=0,Ue=ye.length;Me<Ue;Me++){let Ge=ye[Me];Rh(A,b,Ge,Ge.viewport)}}else he.length>0&&Ph(_e,he,b,L),fn&&C.render(b),Rh(A,b,L)}ee!==null&&z===0&&(Fe.updateMultisampleRenderTarget(ee),Fe.updateRenderTargetMipmap(ee)),U&&F.end(P),b.isScene===!0&&b.onAfterRender(P,b,L),oe.resetDefaultState(),H=-1,K=null,S.pop(),S.length>0?(w=S[S.length-1],Fe.setTextureUnits(w.state.textureUnits),bt===!0&&Z.setGlobalState(P.clippingPlanes,w.state.camera)):w=null,x.pop(),x.length>0?A=x[x.length-1]:A=null,B!==null&&B.renderEnd()};function Ol(b,L,W,U){if(b.visible===!1)return;if(b.layers.test(L.layers)){if(b.isGroup)W=b.renderOrder;else if(b.isLOD)b.autoUpdate===!0&&b.update(L);else if(b.isLight)w.pushLight(b),b.castShadow&&w.pushShadow(b);else if(b.isSprite){let _e=L.isArrayCamera?Nt:He;if(!b.frustumCulled||b.intersectsFrustum(_e)){U&&Ct.setFromMatrixPosition(b.matrixWorld).applyMatrix4(ct);let he=ne.update(b),ye=b.material;ye.visible&&A.push(b,he,ye,W,Ct.z,null,L)}}else if(b.isMesh||b.isLine||b.isPoints){let _e=L.isArrayCamera?Nt:He;if(!b.frustumCulled||b.intersectsFrustum(_e)){let he=ne.update(b),ye=b.material;if(U&&(b.boundingSphere!==void 0?(b.boundingSphere===null&&b.computeBoundingSphere(),Ct.copy(b.boundingSphere.center)):(he.boundingSphere===null&&he.computeBoundingSphere(),Ct.copy(he.boundingSphere.center)),Ct.applyMatrix4(b.matrixWorld).applyMatrix4(ct)),Array.isArray(ye)){let Me=he.groups;for(let Ue=0,Ge=Me.length;Ue<Ge;Ue++){let be=Me[Ue],We=ye[be.materialIndex];We&&We.visible&&A.push(b,he,We,W,Ct.z,be,L)}}else ye.visible&&A.push(b,he,ye,W,Ct.z,null,L)}}}let de=b.children;for(let _e=0,he=de.length;_e<he;_e++)Ol(de[_e],L,W,U)}function Rh(b,L,W,U){let{opaque:V,transmissive:de,transparent:_e}=b;w.setupLightsView(W),bt===!0&&Z.setGlobalState(P.clippingPlanes,W),U&&fe.viewport(te.copy(U)),V.length>0&&Kr(V,L,W),de.length>0&&Kr(de,L,W),_e.length>0&&Kr(_e,L,W),fe.buffers.depth.setTest(!0),fe.buffers.depth.setMask(!0),fe.buffers.color.setMask(!0),fe.setPolygonOffset(!1)}function Ph(b,L,W,U){if((W.isScene===!0?W.overrideMaterial:null)!==null)return;if(w.state.transmissionRenderTarget[U.id]===void 0){let be=ot.has("EXT_color_buffer_half_float")||ot.has("EXT_color_buffer_float");w.state.transmissionRenderTarget[U.id]=new on(1,1,{generateMipmaps:!0,type:be?Ln:Yt,minFilter:hi,samples:Math.max(4,lt.samples),stencilBuffer:r,resolveDepthBuffer:!1,resolveStencilBuffer:!1,storeMultisampledDepthBuffer:!1,storeMultisampledStencilBuffer:!1,colorSpace:Xe.workingColorSpace})}let de=w.state.transmissionRenderTarget[U.id],_e=U.viewport||te;de.setSize(_e.z*P.transmissionResolutionScale,_e.w*P.transmissionResolutionScale);let he=P.getRenderTarget(),ye=P.getActiveCubeFace(),Me=P.getActiveMipmapLevel();P.setRenderTarget(de),P.getClearColor($),se=P.getClearAlpha(),se<1&&P.setClearColor(16777215,.5),P.clear(),fn&&C.render(W);let Ue=P.toneMapping;P.toneMapping=Wn;let Ge=U.viewport;if(U.viewport!==void 0&&(U.viewport=void 0),w.setupLightsView(U),bt===!0&&Z.setGlobalState(P.clippingPlanes,U),Kr(b,W,U),Fe.updateMultisampleRenderTarget(de),Fe.updateRenderTargetMipmap(de),ot.has("WEBGL_multisampled_render_to_texture")===!1){let be=!1;for(let We=0,mt=L.length;We<mt;We++){let tt=L[We],{object:Qe,geometry:Ot,material:Se,group:Gt}=tt;if(Se.side===bn&&Qe.layers.test(U.layers)){let Je=Se.side;Se.side=$t,Se.needsUpdate=!0,Ih(Qe,W,U,Ot,Se,Gt),Se.side=Je,Se.needsUpdate=!0,be=!0}}be===!0&&(Fe.updateMultisampleRenderTarget(de),Fe.updateRenderTargetMipmap(de))}P.setRenderTarget(he,ye,Me),P.setClearColor($,se),Ge!==void 0&&(U.viewport=Ge),P.toneMapping=Ue}function Kr(b,L,W){let U=L.isScene===!0?L.overrideMaterial:null;for(let V=0,de=b.length;V<de;V++){let _e=b[V],{object:he,geometry:ye,group:Me}=_e,Ue=_e.material;Ue.allowOverride===!0&&U!==null&&(Ue=U),he.layers.test(W.layers)&&Ih(he,L,W,ye,Ue,Me)}}function Ih(b,L,W,U,V,de){B!==null&&V.isNodeMaterial&&B.setObject(b,V),b.onBeforeRender(P,L,W,U,V,de),b.modelViewMatrix.multiplyMatrices(W.matrixWorldInverse,b.matrixWorld),b.normalMatrix.getNormalMatrix(b.modelViewMatrix),V.onBeforeRender(P,L,W,U,b,de),V.transparent===!0&&V.side===bn&&V.forceSinglePass===!1?(V.side=$t,V.needsUpdate=!0,P.renderBufferDirect(W,L,U,V,b,de),V.side=Pi,V.needsUpdate=!0,P.renderBufferDirect(W,L,U,V,b,de),V.side=bn):P.renderBufferDirect(W,L,U,V,b,de),b.onAfterRender(P,L,W,U,V,de)}function Lh(b){let L=0;for(let W of b)W.texture!==null&&L++;return L}function Xs(b,L,W){L.isScene!==!0&&(L=dn);let U=Re.get(b),V=w.state.lights,de=w.state.shadowsArray,_e=V.state.version,he=Q.getParameters(b,V.state,de,L,W,w.state.lightProbeGridArray),ye=Q.getProgramCacheKey(he),Me=U.programs;U.environment=b.isMeshStandardMaterial||b.isMeshLambertMaterial||b.isMeshPhongMaterial?L.environment:null,U.fog=L.fog;let Ue=b.isMeshStandardMaterial||b.isMeshLambertMaterial&&!b.envMap||b.isMeshPhongMaterial&&!b.envMap;U.envMap=T.get(b.envMap||U.environment,Ue),U.envMapRotation=U.environment!==null&&b.envMap===null?L.environmentRotation:b.envMapRotation,Me===void 0&&(b.addEventListener("dispose",Ke),Me=new Map,U.programs=Me,U.programVariants=new Map);let Ge=Me.get(ye);if(Ge!==void 0){if(U.currentProgram===Ge&&U.lightsStateVersion===_e)return Dh(b,he),Ge}else he.uniforms=Q.getUniforms(b),B!==null&&b.isNodeMaterial&&B.build(b,W,he),b.onBeforeCompile(he,P),Ge=Q.acquireProgram(he,ye),Me.set(ye,Ge),U.uniforms=he.uniforms;let be=U.uniforms;return(!b.isShaderMaterial&&!b.isRawShaderMaterial||b.clipping===!0)&&(be.clippingPlanes=Z.uniform),Dh(b,he),U.needsLights=gp(b),U.lightsStateVersion=_e,U.needsLights&&(be.ambientLightColor.value=V.state.ambient,be.lightProbe.value=V.state.probe,be.sunLights.value=V.state.sun,be.sunLightShadows.value=V.state.sunShadow,be.directionalLights.value=V.state.directional,be.directionalLightShadows.value=V.state.directionalShadow,be.spotLights.value=V.state.spot,be.spotLightShadows.value=V.state.spotShadow,be.rectAreaLights.value=V.state.rectArea,be.ltc_1.value=V.state.rectAreaLTC1,be.ltc_2.value=V.state.rectAreaLTC2,be.pointLights.value=V.state.point,be.pointLightShadows.value=V.state.pointShadow,be.hemisphereLights.value=V.state.hemi,be.sunShadowMatrix.value=V.state.sunShadowMatrix,be.sunShadowCascade.value=V.state.sunShadowCascade,be.directionalShadowMatrix.value=V.state.directionalShadowMatrix,be.spotLightMatrix.value=V.state.spotLightMatrix,be.spotLightMap.value=V.state.spotLightMap,be.pointShadowMatrix.value=V.state.pointShadowMatrix),U.numLightProbeGrids=Lh(w.state.lightProbeGridArray),U.currentProgram=Ge,U.uniformsList=null,Ge}function fp(b,L,W,U,V){let de=Re.get(b),_e=de.currentProgram.id+","+U+","+V,he=de.programVariants.get(_e);return he===void 0?(he=Xs(b,L,W),de.programVariants.set(_e,he)):(de.currentProgram=he,de.uniformsList=null,de.outputColorSpace=U,de.toneMapping=V),he}function Nh(b){if(b.uniformsList===null){let L=b.currentProgram.getUniforms();b.uniformsList=zs.seqWithValue(L.seq,b.uniforms)}return b.uniformsList}function Dh(b,L){let W=Re.get(b);W.outputColorSpace=L.outputColorSpace,W.batching=L.batching,W.batchingColor=L.batchingColor,W.instancing=L.instancing,W.instancingColor=L.instancingColor,W.instancingMorph=L.instancingMorph,W.skinning=L.skinning,W.morphTargets=L.morphTargets,W.morphNormals=L.morphNormals,W.morphColors=L.morphColors,W.morphTargetsCount=L.morphTargetsCount,W.numClippingPlanes=L.numClippingPlanes,W.numIntersection=L.numClipIntersection,W.vertexAlphas=L.vertexAlphas,W.vertexTangents=L.vertexTangents,W.toneMapping=L.toneMapping}function pp(b,L,W,U,V){L.isScene!==!0&&(L=dn),Fe.resetTextureUnits();let de=L.fog,_e=U.isMeshStandardMaterial||U.isMeshLambertMaterial||U.isMeshPhongMaterial?L.environment:null,he=ee===null?P.outputColorSpace:ee.isXRRenderTarget===!0?ee.texture.colorSpace:Xe.workingColorSpace,ye=U.isMeshStandardMaterial||U.isMeshLambertMaterial&&!U.envMap||U.isMeshPhongMaterial&&!U.envMap,Me=T.get(U.envMap||_e,ye),Ue=U.vertexColors===!0&&!!W.attributes.color&&W.attributes.color.itemSize===4,Ge=!!W.attributes.tangent&&(!!U.normalMap||U.anisotropy>0),be=!!W.morphAttributes.position,We=!!W.morphAttributes.normal,mt=!!W.morphAttributes.color,tt=Wn;U.toneMapped&&(ee===null||ee.isXRRenderTarget===!0)&&(tt=P.toneMapping);let Qe=W.morphAttributes.position||W.morphAttributes.normal||W.morphAttributes.color,Ot=Qe!==void 0?Qe.length:0,Se=Re.get(U),Gt=w.state.lights;if(bt===!0&&(Jt===!0||b!==K)){let ht=b===K&&U.id===H;Z.setState(U,b,ht)}let Je=!1,Ui=!1;U.version===Se.__version?Se.needsLights&&Se.lightsStateVersion!==Gt.state.version||V.isBatchedMesh&&Se.batching===!1||!V.isBatchedMesh&&Se.batching===!0||V.isBatchedMesh&&Se.batchingColor===!0&&V._colorsTexture===null||V.isBatchedMesh&&Se.batchingColor===!1&&V._colorsTexture!==null||V.isInstancedMesh&&Se.instancing===!1||!V.isInstancedMesh&&Se.instancing===!0||V.isSkinnedMesh&&Se.skinning===!1||!V.isSkinnedMesh&&Se.skinning===!0||V.isInstancedMesh&&Se.instancingColor===!0&&V.instanceColor===null||V.isInstancedMesh&&Se.instancingColor===!1&&V.instanceColor!==null||V.isInstancedMesh&&Se.instancingMorph===!0&&V.morphTexture===null||V.isInstancedMesh&&Se.instancingMorph===!1&&V.morphTexture!==null||Se.envMap!==Me||U.fog===!0&&Se.fog!==de||Se.numClippingPlanes!==void 0&&(Se.numClippingPlanes!==Z.numPlanes||Se.numIntersection!==Z.numIntersection)||Se.vertexAlphas!==Ue||Se.vertexTangents!==Ge||Se.morphTargets!==be||Se.morphNormals!==We||Se.morphColors!==mt||Se.morphTargetsCount!==Ot||Se.numLightProbeGrids!==Lh(w.state.lightProbeGridArray)?Je=!0:(Se.outputColorSpace!==he||Se.toneMapping!==tt)&&(Ui=!0):(Je=!0,Se.__version=U.version);let kt=Se.currentProgram;(Je===!0||Ui===!0)&&(kt=Ui===!0?fp(U,L,V,he,tt):Xs(U,L,V),B&&U.isNodeMaterial&&B.onUpdateProgram(U,kt,Se));let jr=!1,pi=!1,Oi=!1,Ye=kt.getUniforms(),Dt=Se.uniforms;if(fe.useProgram(kt.program)&&(jr=!0,pi=!0,Oi=!0),U.id!==H&&(H=U.id,pi=!0),jr||K!==b){fe.buffers.depth.getReversed()&&b.reversedDepth!==!0&&(b._reversedDepth=!0,b.updateProjectionMatrix()),Ye.setValue(D,"projectionMatrix",b.projectionMatrix),Ye.setValue(D,"viewMatrix",b.matrixWorldInverse);let Pt=Ye.map.cameraPosition;Pt!==void 0&&Pt.setValue(D,Dn.setFromMatrixPosition(b.matrixWorld)),lt.logarithmicDepthBuffer&&Ye.setValue(D,"logDepthBufFC",2/(Math.log(b.far+1)/Math.LN2)),(U.isMeshPhongMaterial||U.isMeshToonMaterial||U.isMeshLambertMaterial||U.isMeshBasicMaterial||U.isMeshStandardMaterial||U.isShaderMaterial)&&Ye.setValue(D,"isOrthographic",b.isOrthographicCamera===!0),K!==b&&(K=b,pi=!0,Oi=!0)}if(Se.needsLights&&(Gt.state.sunShadowMap.length>0&&Ye.setValue(D,"sunShadowMap",Gt.state.sunShadowMap,Fe),Gt.state.directionalShadowMap.length>0&&Ye.setValue(D,"directionalShadowMap",Gt.state.directionalShadowMap,Fe),Gt.state.spotShadowMap.length>0&&Ye.setValue(D,"spotShadowMap",Gt.state.spotShadowMap,Fe),Gt.state.pointShadowMap.length>0&&Ye.setValue(D,"pointShadowMap",Gt.state.pointShadowMap,Fe)),V.isSkinnedMesh){Ye.setOptional(D,V,"bindMatrix"),Ye.setOptional(D,V,"bindMatrixInverse");let ht=V.skeleton;ht&&(ht.boneTexture===null&&ht.computeBoneTexture(),Ye.setValue(D,"boneTexture",ht.boneTexture,Fe))}V.isBatchedMesh&&(Ye.setOptional(D,V,"batchingTexture"),Ye.setValue(D,"batchingTexture",V._matricesTexture,Fe),Ye.setOptional(D,V,"batchingIdTexture"),Ye.setValue(D,"batchingIdTexture",V._indirectTexture,Fe),Ye.setOptional(D,V,"batchingColorTexture"),V._colorsTexture!==null&&Ye.setValue(D,"batchingColorTexture",V._colorsTexture,Fe));let Mn=W.morphAttributes;if((Mn.position!==void 0||Mn.normal!==void 0||Mn.color!==void 0)&&j.update(V,W,kt),(pi||Se.receiveShadow!==V.receiveShadow)&&(Se.receiveShadow=V.receiveShadow,Ye.setValue(D,"receiveShadow",V.receiveShadow)),(U.isMeshStandardMaterial||U.isMeshLambertMaterial||U.isMeshPhongMaterial)&&U.envMap===null&&L.environment!==null&&(Dt.envMapIntensity.value=L.environmentIntensity),Dt.dfgLUT!==void 0&&(Dt.dfgLUT.value=lv()),pi){if(Ye.setValue(D,"toneMappingExposure",P.toneMappingExposure),Se.needsLights&&mp(Dt,Oi),de&&U.fog===!0&&ae.refreshFogUniforms(Dt,de),ae.refreshMaterialUniforms(Dt,U,me,Te,w.state.transmissionRenderTarget[b.id]),Se.needsLights&&Se.numLightProbeGrids>0){let ht=M,Pt=0;for(let $n of w.state.lightProbeGridArray)$n.texture!==null&&(ht.textures[Pt]=$n.texture,ht.min[Pt]=$n.boundingBox.min,ht.max[Pt]=$n.boundingBox.max,ht.resolution[Pt]=$n.resolution,Pt++);for(let $n in ht)ht[$n].length=Pt;Dt.probesSH.value=ht.textures,Dt.probesMin.value=ht.min,Dt.probesMax.value=ht.max,Dt.probesResolution.value=ht.resolution}zs.upload(D,Nh(Se),Dt,Fe)}if(U.isShaderMaterial&&U.uniformsNeedUpdate===!0&&(zs.upload(D,Nh(Se),Dt,Fe),U.uniformsNeedUpdate=!1),U.isSpriteMaterial&&Ye.setValue(D,"center",V.center),Ye.setValue(D,"modelViewMatrix",V.modelViewMatrix),Ye.setValue(D,"normalMatrix",V.normalMatrix),Ye.setValue(D,"modelMatrix",V.matrixWorld),U.uniformsGroups!==void 0){let ht=U.uniformsGroups;for(let Pt=0,$n=ht.length;Pt<$n;Pt++){let Uh=ht[Pt];we.update(Uh,kt),we.bind(Uh,kt)}}return kt}function mp(b,L){b.ambientLightColor.needsUpdate=L,b.lightProbe.needsUpdate=L,b.sunLights.needsUpdate=L,b.sunLightShadows.needsUpdate=L,b.directionalLights.needsUpdate=L,b.directionalLightShadows.needsUpdate=L,b.pointLights.needsUpdate=L,b.pointLightShadows.needsUpdate=L,b.spotLights.needsUpdate=L,b.spotLightShadows.needsUpdate=L,b.rectAreaLights.needsUpdate=L,b.hemisphereLights.needsUpdate=L}function gp(b){return b.isMeshLambertMaterial||b.isMeshToonMaterial||b.isMeshPhongMaterial||b.isMeshStandardMaterial||b.isShadowMaterial||b.isShaderMaterial&&b.lights===!0}this.getActiveCubeFace=function(){return X},this.getActiveMipmapLevel=function(){return z},this.getRenderTarget=function(){return ee},this.setRenderTargetTextures=function(b,L,W){let U=Re.get(b);U.__autoAllocateDepthBuffer=b.resolveDepthBuffer===!1,U.__autoAllocateDepthBuffer===!1&&(U.__useRenderToTexture=!1),Re.get(b.texture).__webglTexture=L,Re.get(b.depthTexture).__webglTexture=U.__autoAllocateDepthBuffer?void 0:W,U.__hasExternalTextures=!0},this.setRenderTargetFramebuffer=function(b,L){let W=Re.get(b);W.__webglFramebuffer=L,W.__useDefaultFramebuffer=L===void 0},this.setRenderTarget=function(b,L=0,W=0){ee=b,X=L,z=W;let U=null,V=!1,de=!1;if(b){let he=Re.get(b);if(he.__useDefaultFramebuffer!==void 0){fe.bindFramebuffer(D.FRAMEBUFFER,he.__webglFramebuffer),te.copy(b.viewport),ve.copy(b.scissor),Ae=b.scissorTest,fe.viewport(te),fe.scissor(ve),fe.setScissorTest(Ae),H=-1;return}else if(he.__webglFramebuffer===void 0)Fe.setupRenderTarget(b);else if(he.__hasExternalTextures)Fe.rebindTextures(b,Re.get(b.texture).__webglTexture,Re.get(b.depthTexture).__webglTexture);else if(b.depthBuffer){let Ue=b.depthTexture;if(he.__boundDepthTexture!==Ue){if(Ue!==null&&Re.has(Ue)&&(b.width!==Ue.image.width||b.height!==Ue.image.height))throw new Error("THREE.WebGLRenderer: Attached DepthTexture is initialized to the incorrect size.");Fe.setupDepthRenderbuffer(b)}}let ye=b.texture;(ye.isData3DTexture||ye.isDataArrayTexture||ye.isCompressedArrayTexture)&&(de=!0);let Me=Re.get(b).__webglFramebuffer;b.isWebGLCubeRenderTarget?(Array.isArray(Me[L])?U=Me[L][W]:U=Me[L],V=!0):b.samples>0&&Fe.useMultisampledRTT(b)===!1?U=Re.get(b).__webglMultisampledFramebuffer:Array.isArray(Me)?U=Me[W]:U=Me,te.copy(b.viewport),ve.copy(b.scissor),Ae=b.scissorTest}else te.copy(Ce).multiplyScalar(me).floor(),ve.copy($e).multiplyScalar(me).floor(),Ae=je;if(W!==0&&(U=q),fe.bindFramebuffer(D.FRAMEBUFFER,U)&&fe.drawBuffers(b,U),fe.viewport(te),fe.scissor(ve),fe.setScissorTest(Ae),V){let he=Re.get(b.texture);D.framebufferTexture2D(D.FRAMEBUFFER,D.COLOR_ATTACHMENT0,D.TEXTURE_CUBE_MAP_POSITIVE_X+L,he.__webglTexture,W)}else if(de){let he=L;for(let ye=0;ye<b.textures.length;ye++){let Me=Re.get(b.textures[ye]);D.framebufferTextureLayer(D.FRAMEBUFFER,D.COLOR_ATTACHMENT0+ye,Me.__webglTexture,W,he)}}else if(b!==null&&W!==0){let he=Re.get(b.texture);D.framebufferTexture2D(D.FRAMEBUFFER,D.COLOR_ATTACHMENT0,D.TEXTURE_2D,he.__webglTexture,W)}H=-1};function Fh(b){let L=Re.get(b);return(L.__readFormat!==b.format||L.__readType!==b.type)&&(L.__readFormat=b.format,L.__readType=b.type,L.__formatReadable=lt.textureFormatReadable(b.format),L.__typeReadable=lt.textureTypeReadable(b.type)),L}this.readRenderTargetPixels=function(b,L,W,U,V,de,_e,he=0){if(!(b&&b.isWebGLRenderTarget)){Le("WebGLRenderer.readRenderTargetPixels: renderTarget is not THREE.WebGLRenderTarget.");return}let ye=Re.get(b).__webglFramebuffer;if(b.isWebGLCubeRenderTarget&&_e!==void 0&&(ye=ye[_e],Array.isArray(ye)&&(ye=ye[0])),ye){fe.bindFramebuffer(D.FRAMEBUFFER,ye);try{let Me=b.textures[he],Ue=Me.format,Ge=Me.type;b.textures.length>1&&D.readBuffer(D.COLOR_ATTACHMENT0+he);let be=Fh(Me);if(be.__formatReadable===!1){Le("WebGLRenderer.readRenderTargetPixels: renderTarget is not in RGBA or implementation defined format.");return}if(be.__typeReadable===!1){Le("WebGLRenderer.readRenderTargetPixels: renderTarget is not in UnsignedByteType or implementation defined type.");return}L>=0&&L<=b.width-U&&W>=0&&W<=b.height-V&&D.readPixels(L,W,U,V,re.convert(Ue),re.convert(Ge),de)}finally{let Me=ee!==null?Re.get(ee).__webglFramebuffer:null;fe.bindFramebuffer(D.FRAMEBUFFER,Me)}}},this.readRenderTargetPixelsAsync=async function(b,L,W,U,V,de,_e,he=0){if(!(b&&b.isWebGLRenderTarget))throw new Error("THREE.WebGLRenderer.readRenderTargetPixels: renderTarget is not THREE.WebGLRenderTarget.");let ye=Re.get(b).__webglFramebuffer;if(b.isWebGLCubeRenderTarget&&_e!==void 0&&(ye=ye[_e],Array.isArray(ye)&&(ye=ye[0])),ye)if(L>=0&&L<=b.width-U&&W>=0&&W<=b.height-V){fe.bindFramebuffer(D.FRAMEBUFFER,ye);let Me=b.textures[he],Ue=Me.format,Ge=Me.type;b.textures.length>1&&D.readBuffer(D.COLOR_ATTACHMENT0+he);let be=Fh(Me);if(be.__formatReadable===!1)throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in RGBA or implementation defined format.");if(be.__typeReadable===!1)throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in UnsignedByteType or implementation defined type.");let We=D.createBuffer();D.bindBuffer(D.PIXEL_PACK_BUFFER,We),D.bufferData(D.PIXEL_PACK_BUFFER,de.byteLength,D.STREAM_READ),D.readPixels(L,W,U,V,re.convert(Ue),re.convert(Ge),0),D.bindBuffer(D.PIXEL_PACK_BUFFER,null);let mt=ee!==null?Re.get(ee).__webglFramebuffer:null;fe.bindFramebuffer(D.FRAMEBUFFER,mt);let tt=D.fenceSync(D.SYNC_GPU_COMMANDS_COMPLETE,0);return D.flush(),await sf(D,tt,4),D.bindBuffer(D.PIXEL_PACK_BUFFER,We),D.getBufferSubData(D.PIXEL_PACK_BUFFER,0,de),D.bindBuffer(D.PIXEL_PACK_BUFFER,null),D.deleteBuffer(We),D.deleteSync(tt),de}else throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: requested read bounds are out of range.")},this.copyFramebufferToTexture=function(b,L=null,W=0){let U=Math.pow(2,-W),V=Math.floor(b.image.width*U),de=Math.floor(b.image.height*U),_e=L!==null?L.x:0,he=L!==null?L.y:0;Fe.setTexture2D(b,0),D.copyTexSubImage2D(D.TEXTURE_2D,W,0,0,_e,he,V,de),fe.unbindTexture()},this.copyTextureToTexture=function(b,L,W=null,U=null,V=0,de=0){let _e,he,ye,Me,Ue,Ge,be,We,mt,tt=b.isCompressedTexture?b.mipmaps[de]:b.image;if(W!==null)_e=W.max.x-W.min.x,he=W.max.y-W.min.y,ye=W.isBox3?W.max.z-W.min.z:1,Me=W.min.x,Ue=W.min.y,Ge=W.isBox3?W.min.z:0;else{let Ye=Math.pow(2,-V);_e=Math.floor(tt.width*Ye),he=Math.floor(tt.height*Ye),b.isDataArrayTexture?ye=tt.depth:b.isData3DTexture?ye=Math.floor(tt.depth*Ye):ye=1,Me=0,Ue=0,Ge=0}U!==null?(be=U.x,We=U.y,mt=U.z):(be=0,We=0,mt=0);let Qe=re.convert(L.format),Ot=re.convert(L.type),Se;L.isData3DTexture?(Fe.setTexture3D(L,0),Se=D.TEXTURE_3D):L.isDataArrayTexture||L.isCompressedArrayTexture?(Fe.setTexture2DArray(L,0),Se=D.TEXTURE_2D_ARRAY):(Fe.setTexture2D(L,0),Se=D.TEXTURE_2D),fe.activeTexture(D.TEXTURE0),fe.pixelStorei(D.UNPACK_FLIP_Y_WEBGL,L.flipY),fe.pixelStorei(D.UNPACK_PREMULTIPLY_ALPHA_WEBGL,L.premultiplyAlpha),fe.pixelStorei(D.UNPACK_ALIGNMENT,L.unpackAlignment);let Gt=fe.getParameter(D.UNPACK_ROW_LENGTH),Je=fe.getParameter(D.UNPACK_IMAGE_HEIGHT),Ui=fe.getParameter(D.UNPACK_SKIP_PIXELS),kt=fe.getParameter(D.UNPACK_SKIP_ROWS),jr=fe.getParameter(D.UNPACK_SKIP_IMAGES);fe.pixelStorei(D.UNPACK_ROW_LENGTH,tt.width),fe.pixelStorei(D.UNPACK_IMAGE_HEIGHT,tt.height),fe.pixelStorei(D.UNPACK_SKIP_PIXELS,Me),fe.pixelStorei(D.UNPACK_SKIP_ROWS,Ue),fe.pixelStorei(D.UNPACK_SKIP_IMAGES,Ge);let pi=b.isDataArrayTexture||b.isData3DTexture,Oi=L.isDataArrayTexture||L.isData3DTexture;if(b.isDepthTexture){let Ye=Re.get(b),Dt=Re.get(L),Mn=Re.get(Ye.__renderTarget),ht=Re.get(Dt.__renderTarget);fe.bindFramebuffer(D.READ_FRAMEBUFFER,Mn.__webglFramebuffer),fe.bindFramebuffer(D.DRAW_FRAMEBUFFER,ht.__webglFramebuffer);for(let Pt=0;Pt<ye;Pt++)pi&&(D.framebufferTextureLayer(D.READ_FRAMEBUFFER,D.COLOR_ATTACHMENT0,Re.get(b).__webglTexture,V,Ge+Pt),D.framebufferTextureLayer(D.DRAW_FRAMEBUFFER,D.COLOR_ATTACHMENT0,Re.get(L).__webglTexture,de,mt+Pt)),D.blitFramebuffer(Me,Ue,Me+_e,Ue+he,be,We,be+_e,We+he,D.DEPTH_BUFFER_BIT,D.NEAREST);fe.bindFramebuffer(D.READ_FRAMEBUFFER,null),fe.bindFramebuffer(D.DRAW_FRAMEBUFFER,null)}else if(V!==0||b.isRenderTargetTexture||Re.has(b)){let Ye=Re.get(b),Dt=Re.get(L);fe.bindFramebuffer(D.READ_FRAMEBUFFER,I),fe.bindFramebuffer(D.DRAW_FRAMEBUFFER,G);for(let Mn=0;Mn<ye;Mn++)pi?D.framebufferTextureLayer(D.READ_FRAMEBUFFER,D.COLOR_ATTACHMENT0,Ye.__webglTexture,V,Ge+Mn):D.framebufferTexture2D(D.READ_FRAMEBUFFER,D.COLOR_ATTACHMENT0,D.TEXTURE_2D,Ye.__webglTexture,V),Oi?D.framebufferTextureLayer(D.DRAW_FRAMEBUFFER,D.COLOR_ATTACHMENT0,Dt.__webglTexture,de,mt+Mn):D.framebufferTexture2D(D.DRAW_FRAMEBUFFER,D.COLOR_ATTACHMENT0,D.TEXTURE_2D,Dt.__webglTexture,de),V!==0?D.blitFramebuffer(Me,Ue,Me+_e,Ue+he,be,We,be+_e,We+he,D.COLOR_BUFFER_BIT,D.NEAREST):Oi?D.copyTexSubImage3D(Se,de,be,We,mt+Mn,Me,Ue,_e,he):D.copyTexSubImage2D(Se,de,be,We,Me,Ue,_e,he);fe.bindFramebuffer(D.READ_FRAMEBUFFER,null),fe.bindFramebuffer(D.DRAW_FRAMEBUFFER,null)}else Oi?b.isDataTexture||b.isData3DTexture?D.texSubImage3D(Se,de,be,We,mt,_e,he,ye,Qe,Ot,tt.data):L.isCompressedArrayTexture?D.compressedTexSubImage3D(Se,de,be,We,mt,_e,he,ye,Qe,tt.data):D.texSubImage3D(Se,de,be,We,mt,_e,he,ye,Qe,Ot,tt):b.isDataTexture?D.texSubImage2D(D.TEXTURE_2D,de,be,We,_e,he,Qe,Ot,tt.data):b.isCompressedTexture?D.compressedTexSubImage2D(D.TEXTURE_2D,de,be,We,tt.width,tt.height,Qe,tt.data):D.texSubImage2D(D.TEXTURE_2D,de,be,We,_e,he,Qe,Ot,tt);fe.pixelStorei(D.UNPACK_ROW_LENGTH,Gt),fe.pixelStorei(D.UNPACK_IMAGE_HEIGHT,Je),fe.pixelStorei(D.UNPACK_SKIP_PIXELS,Ui),fe.pixelStorei(D.UNPACK_SKIP_ROWS,kt),fe.pixelStorei(D.UNPACK_SKIP_IMAGES,jr),de===0&&L.generateMipmaps===!0&&L.mipmapsAutoUpdate===!0&&D.generateMipmap(Se),fe.unbindTexture()},this.initRenderTarget=function(b){Re.get(b).__webglFramebuffer===void 0&&Fe.setupRenderTarget(b)},this.initTexture=function(b){b.isCubeTexture?Fe.setTextureCube(b,0):b.isData3DTexture?Fe.setTexture3D(b,0):b.isDataArrayTexture||b.isCompressedArrayTexture?Fe.setTexture2DArray(b,0):Fe.setTexture2D(b,0),fe.unbindTexture()},this.resetState=function(){X=0,z=0,ee=null,fe.reset(),oe.reset()},typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}get coordinateSystem(){return vn}get outputColorSpace(){return this._outputColorSpace}set outputColorSpace(e){this._outputColorSpace=e;let t=this.getContext();t.drawingBufferColorSpace=Xe._getDrawingBufferColorSpace(e),t.unpackColorSpace=Xe._getUnpackColorSpace()}};function xl(i,e,t,n){let s=new Float64Array(12);for(let r=0;r<e-1;r++)for(let a=0;a<e-1;a++){let o=r*e+a,l=[o,o+e,o+e+1,o+1],c=i(l[0]),h=i(l[1]),f=i(l[2]),d=i(l[3]);if(!(Math.min(c,h,f,d)<0&&Math.max(c,h,f,d)>0))continue;let u=0;u=gl(t,l[0],l[1],c,h,s,u),u=gl(t,l[1],l[2],h,f,s,u),u=gl(t,l[2],l[3],f,d,s,u),u=gl(t,l[3],l[0],d,c,s,u);for(let p=0;p+1<u;p+=2)n.segment(s[3*p],s[3*p+1],s[3*p+2],s[3*p+3],s[3*p+4],s[3*p+5])}}function gl(i,e,t,n,s,r,a){if(n<0==s<0||a>3)return a;let o=n/(n-s);for(let l=0;l<3;l++)r[3*a+l]=i[3*e+l]+o*(i[3*t+l]-i[3*e+l]);return a+1}var cv=`
+in vec3 start;
+in vec3 end;
+uniform vec2 viewport;
+uniform float width;
+uniform float lift;
+out float across;
+void main() {
+  vec4 a = projectionMatrix * modelViewMatrix * vec4(start, 1.0);
+  vec4 b = projectionMatrix * modelViewMatrix * vec4(end, 1.0);
+  vec2 p = a.xy / a.w * viewport, q = b.xy / b.w * viewport;
+  vec2 along = q - p;
+  float size = length(along);
+  along = size > 1e-6 ? along / size : vec2(1.0, 0.0);
+  vec2 side = vec2(-along.y, along.x);
+  vec4 here = position.x < 0.5 ? a : b;
+  float half_ = 0.5 * width + 0.75;
+  vec2 shift = side * position.y * half_ + along * (position.x - 0.5) * width;
+  across = position.y * half_;
+  here.xy += shift / viewport * here.w;
+  here.z -= lift * here.w;
+  gl_Position = here;
+}`,hv=`
+precision highp float;
+in float across;
+uniform vec4 colour;
+uniform float width;
+layout(location = 0) out vec4 pixel;
+void main() {
+  float edge = 1.0 - smoothstep(0.5 * width - 0.25, 0.5 * width + 0.75, abs(across));
+  pixel = vec4(colour.rgb, colour.a * edge);
+}`,yl=class{mesh;material;data=new Float32Array(6*256);count=0;geometry;constructor(e,t,n=1,s=!1){let r=new Be().setStyle(e,"srgb-linear");this.material=new qt({glslVersion:Li,vertexShader:cv,fragmentShader:hv,transparent:!0,depthWrite:!1,depthTest:!s,uniforms:{viewport:{value:new Ve(1,1)},width:{value:t},colour:{value:new et(r.r,r.g,r.b,n)},lift:{value:s?0:4e-4}}}),this.geometry=this.allocate(),this.mesh=new en(this.geometry,this.material),this.mesh.frustumCulled=!1,this.mesh.renderOrder=s?3:2}set colour(e){let t=new Be().setStyle(e,"srgb-linear"),n=this.material.uniforms.colour.value;n.set(t.r,t.g,t.b,n.w)}resize(e,t,n,s){this.material.uniforms.viewport.value.set(.5*e,.5*t),this.material.uniforms.width.value=s*n}begin(){this.count=0}segment(e,t,n,s,r,a){let o=6*this.count;if(e-e+t-t+n-n+s-s+r-r+a-a!==0)return;if(o+6>this.data.length){let c=new Float32Array(2*this.data.length);c.set(this.data),this.data=c,this.geometry.dispose(),this.geometry=this.allocate(),this.mesh.geometry=this.geometry}let l=this.data;l[o]=e,l[o+1]=t,l[o+2]=n,l[o+3]=s,l[o+4]=r,l[o+5]=a,this.count++}join(e,t){this.segment(e[0],e[1],e[2],t[0],t[1],t[2])}end(){this.geometry.instanceCount=this.count,this.mesh.visible=this.count>0;let e=this.geometry.getAttribute("start");e.data.needsUpdate=!0}dispose(){this.geometry.dispose(),this.material.dispose()}allocate(){let e=new Fr,t=new Float32Array([0,-1,0,1,-1,0,1,1,0,0,-1,0,1,1,0,0,1,0]);e.setAttribute("position",new vt(t,3));let n=new Ur(this.data,6,1);return n.setUsage(Bs),e.setAttribute("start",new Is(n,3,0)),e.setAttribute("end",new Is(n,3,3)),e}},uv=`
+in vec4 tint;
+uniform float size;
+uniform float lift;
+out vec4 shade_;
+void main() {
+  shade_ = tint;
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+  gl_Position.z -= lift * gl_Position.w;
+  gl_PointSize = size * (tint.a > 1.5 ? 1.45 : 1.0);
+}`,dv=`
+precision highp float;
+in vec4 shade_;
+uniform float size;
+uniform vec3 rim;
+layout(location = 0) out vec4 pixel;
+void main() {
+  float big = shade_.a > 1.5 ? size * 1.45 : size;
+  float r = length(gl_PointCoord - 0.5) * big;
+  float edge = 0.5 * big - 0.5;
+  float inside = 1.0 - smoothstep(edge - 1.0, edge, r);
+  if (inside < 0.02) discard;
+  float hollow = shade_.a < 0.75 ? 1.0 : 0.0;
+  float core = 1.0 - smoothstep(edge - 0.22 * big - 0.5, edge - 0.22 * big + 0.5, r);
+  vec3 colour = mix(rim, mix(shade_.rgb, rim, hollow), core);
+  colour = mix(colour, shade_.rgb, hollow * (1.0 - core));
+  pixel = vec4(colour, inside * (hollow > 0.5 ? 0.75 : 1.0));
+}`,vl=class{mesh;material;geometry=new Qt;constructor(){this.material=new qt({glslVersion:Li,vertexShader:uv,fragmentShader:dv,transparent:!0,depthTest:!0,depthWrite:!1,uniforms:{size:{value:10},lift:{value:.002},rim:{value:new Be(1,1,1)}}}),this.mesh=new Cr(this.geometry,this.material),this.mesh.frustumCulled=!1,this.mesh.renderOrder=4}resize(e){this.material.uniforms.size.value=10*e}fill(e,t){this.geometry.setAttribute("position",new vt(Float32Array.from(e.flat()),3)),this.geometry.setAttribute("tint",new vt(Float32Array.from(t.flat()),4)),this.mesh.visible=e.length>0}dispose(){this.geometry.dispose(),this.material.dispose()}};var Sn={net:{width:1.25,light:"#44566c",dark:"#c3d0e0",opacity:.75},first:{width:1.75,light:"#101418",dark:"#ffffff",opacity:.95},second:{width:1.25,light:"#7a4b00",dark:"#ffd28a",opacity:.95},normals:{width:1.5,light:"#00785a",dark:"#58dcae",opacity:.95},teethU:{width:1,light:"#0060a8",dark:"#7cc4ff",opacity:.55},teethV:{width:1,light:"#b04500",dark:"#ffae70",opacity:.55},combU:{width:1.75,light:"#0060a8",dark:"#7cc4ff",opacity:1},combV:{width:1.75,light:"#b04500",dark:"#ffae70",opacity:1},zeroK:{width:2.75,light:"#101418",dark:"#ffffff",opacity:1},zeroH:{width:2.75,light:"#a3008f",dark:"#ff9cf2",opacity:1},section:{width:3,light:"#c2102e",dark:"#ff6b81",opacity:1}},mh=(i,e)=>Sn[i][e?"dark":"light"],Xf=1e-6,_l=class{group=new ai;points=new vl;lines=Object.fromEntries(Object.keys(Sn).map(e=>[e,new yl(Sn[e].light,Sn[e].width,Sn[e].opacity)]));constructor(){for(let e of Object.keys(Sn))this.group.add(this.lines[e].mesh);this.group.add(this.points.mesh)}resize(e,t,n){for(let s of Object.keys(Sn))this.lines[s].resize(e,t,n,Sn[s].width);this.points.resize(n)}theme(e){for(let t of Object.keys(Sn))this.lines[t].colour=mh(t,e)}update(e,t,n){let s=e.side;for(let r of Object.keys(Sn))r!=="net"&&this.lines[r].begin();if(s>1){t.directions&&this.directions(e),t.normals&&this.normals(e),(t.combs==="u"||t.combs==="both")&&this.combs(e,n,!0,t.combScale),(t.combs==="v"||t.combs==="both")&&this.combs(e,n,!1,t.combScale);let{planes:r,stride:a}=e.grid,o=(l,c)=>h=>{let f=r[l*a+h],d=r[Ne.curvedness*a+h];return Math.abs(f)<=Xf*d**c?0:f};if(t.zeroK&&xl(o(Ne.gaussian,2),s,e.position,this.lines.zeroK),t.zeroH&&xl(o(Ne.mean,1),s,e.position,this.lines.zeroH),t.section){let[l,c,h,f]=bl(t,n),d=e.position;xl(u=>l*d[3*u]+c*d[3*u+1]+h*d[3*u+2]-f,s,d,this.lines.section)}}for(let r of Object.keys(Sn))r!=="net"&&this.lines[r].end()}net(e,t,n,s){let{net:r}=this.lines;r.begin();for(let o of e){let l=o.map(c=>gi(s,c));for(let c=0;c+1<l.length;c++)r.join(l[c],l[c+1])}r.end();let a=o=>o.id===n?[.93,.42,.05,2]:o.mirrored?[.25,.38,.55,.5]:[...o.tint,1];this.points.fill(t.map(o=>gi(s,o.position)),t.map(a))}dispose(){for(let e of Object.keys(Sn))this.lines[e].dispose();this.points.dispose()}directions(e){let{planes:t,stride:n,size:s}=e.grid;qf(e,(r,a)=>{let o=t[Ne.radius*n+r];if(!(o>Xf*t[Ne.curvedness*n+r]&&t[Ne.curvedness*n+r]*s>1e-9))return;ca(t[r],t[n+r],t[2*n+r],o);let l=e.position.subarray(3*r,3*r+3),c=.36*a,h=[0,0,0],f=[0,0,0];for(let u=0;u<3;u++){let p=t[(Ne.e1+u)*n+r],v=t[(Ne.e2+u)*n+r];h[u]=c*(Vi*p+Hi*v),f[u]=c*(Vi*v-Hi*p)}let d=(u,p)=>u.segment(l[0]-p[0],l[1]-p[1],l[2]-p[2],l[0]+p[0],l[1]+p[1],l[2]+p[2]);d(this.lines.first,h),d(this.lines.second,f)})}normals(e){let{planes:t,stride:n}=e.grid;qf(e,(s,r)=>{let a=e.position.subarray(3*s,3*s+3),o=.9*r,l=c=>o*t[(Ne.normal+c)*n+s];this.lines.normals.segment(a[0],a[1],a[2],a[0]+l(0),a[1]+l(1),a[2]+l(2))})}combs(e,t,n,s){let{planes:r,stride:a,size:o,nu:l}=e.grid,c=n?this.lines.teethU:this.lines.teethV,h=n?this.lines.combU:this.lines.combV,f=Ne.forms+(n?0:2),d=_=>r[(f+3)*a+_]/r[f*a+_],u=0,p=7,v=Math.max(1,Math.round((l-1)/60)),g=(_,E)=>{let M=Math.round(_*(l-1)/(p-1));return n?E*l+M:M*l+E};for(let _=0;_<p;_++)for(let E=0;E<l;E+=v)u=Math.max(u,Math.abs(d(g(_,E)))||0);if(!(u*o>1e-9))return;let m=.22*s*o*t.scale/u;for(let _=0;_<p;_++){let E=null;for(let M=0;M<l;M+=v){let A=g(_,Math.min(M,l-1)),w=e.position.subarray(3*A,3*A+3),x=-m*d(A),S=[0,1,2].map(F=>w[F]+x*r[(Ne.normal+F)*a+A]);if(S.some(Number.isNaN)){E=null;continue}c.segment(w[0],w[1],w[2],S[0],S[1],S[2]),E&&h.join(E,S),E=S}}}};function bl(i,e){let t={x:0,y:1,z:2}[i.sectionAxis],n=[0,0,0,0];return n[t]=1,n[3]=(i.sectionAt-e.centre[t])*e.scale,n}function qf(i,e){let t=i.side,n=Math.min(t,17),s=i.position,r=d=>[s[3*d],s[3*d+1],s[3*d+2]],[a,o,l,c]=[r(0),r(t*(t-1)),r(t-1),r(t*t-1)],h=(d,u)=>Math.hypot(d[0]-u[0],d[1]-u[1],d[2]-u[2]),f=Math.min(.1,Math.max(.035,(h(a,o)+h(a,l)+h(l,c)+h(o,c))/(4*(n-1))));for(let d=0;d<n;d++)for(let u=0;u<n;u++)e(Math.round(d*(t-1)/(n-1))*t+Math.round(u*(t-1)/(n-1)),f)}var fv={4:[["\\alpha_1","alpha 1"],["\\zeta_1","zeta 1"],["\\alpha_2","alpha 2"],["\\zeta_2","zeta 2"]],2:[["\\alpha","alpha"],["\\zeta","zeta"]]},Sl=class{constructor(e){this.store=e;this.element.append(xi("Shape",!0,this.shape),xi("Colour",!0,...this.colour()),xi("Show",!0,...this.overlays()),xi("Light lines",!0,...this.stripes()),xi("Section",!1,...this.cut())),e.subscribe((t,n)=>{(t.model!==n.model||t.patch!==n.patch)&&this.showShape(t)})}store;element=R("aside",{class:"panel right","aria-label":"Shape and analysis"});shape=R("div",{class:"shape"});bindings=[];controls=[];shapeFor="";fields=[];refresh(e,t){for(let n of this.bindings)n(e.settings,t);this.showShape(e)}showShape(e){let t=It(e),n=Kn(t),s=t.unchecked_shape===!0,r=Object.entries(tn[t.kind].fields).filter(([,l])=>l.type==="number"||l.type==="positive").map(([l])=>l),a=`${t.kind} ${n.length} ${s}`;a!==this.shapeFor&&(this.shapeFor=a,this.build(t,n.length,r,s)),n.forEach((l,c)=>this.controls[c]?.update(l));for(let{key:l,control:c}of this.fields)c.update(Ft(t,l));let o=JSON.stringify(n);for(let l of this.shape.querySelectorAll(".chip"))l.setAttribute("aria-pressed",String(l.dataset.shape===o))}build(e,t,n,s){let{store:r}=this,a=(h,f)=>{let d=It(r.state);r.editPatch({...d,shape:Kn(d).map((u,p)=>p===h?f:u)},`shape ${h}`)};this.controls=t===0?[]:fv[t].map(([h,f],d)=>ei({label:kn(h),name:f,min:nr[0],max:nr[1],step:.01,marks:[-4,-3,-2,-1,0,1],hard:!s,onInput:u=>a(d,u),onSettle:()=>r.settle()}));let o=t===4?e.kind==="ruled"?["first curve","second curve"]:["along u","along v"]:[""],l=[];this.controls.forEach((h,f)=>{f%2===0&&o[f/2]&&l.push(R("div",{class:"subtitle"},o[f/2])),l.push(h.element)}),this.fields=n.map(h=>{let f=(u,p)=>r.editPatch({...It(r.state),[h]:u},p);if(h==="scale"){let u=ei({label:kn("\\lambda"),name:"lambda",min:.1,max:4,step:.01,marks:[1,1.5,3],onInput:p=>f(p,"scale"),onSettle:()=>r.settle()});return{key:h,control:u}}let d=tn[e.kind].fields[h].type==="positive";return{key:h,control:On({label:At(h),name:At(h),positive:d,step:.1,onChange:u=>f(u,null)})}}),this.fields.length&&l.push(R("div",{class:"subtitle"},e.kind==="swung"?"scale of the trajectory":"dimensions"),...this.fields.map(h=>h.control.element));let c=ma(t);c.length&&l.push(R("div",{class:"subtitle"},"sets of the thesis"),R("div",{class:"chips"},...[...c,Array.from({length:t},()=>0)].map(h=>{let f=it(`(${h.join(", ").replaceAll("-","−")})`,`Set the shape parameters to ${h.join(", ")}`,()=>r.editPatch({...It(r.state),shape:h}),"chip");return f.dataset.shape=JSON.stringify(h),f}))),l.length||l.push(R("p",{class:"hint"},"This surface has no shape parameters: drag its control points.")),this.shape.replaceChildren(...l)}colour(){let{store:e}=this,t=(d,u)=>({label:d,options:Un.filter(p=>p.colour!=="vector"&&u(p)).map(p=>({value:p.key,label:`${At(p.name)}${p.colour==="classes"?"":`  ${p.symbol}`}`}))}),n=d=>"EFGLMN".includes(d.key),s=d=>/^(beta|gamma)\d/.test(d.key),r=or("Colour by",[{label:"",options:[{value:"none",label:"No colour"}]},t("Curvature",d=>d.colour!=="classes"&&!n(d)&&!s(d)),t("Types",d=>d.colour==="classes"),t("Invariants, plane metric",d=>s(d)&&!d.key.endsWith("_surface")),t("Invariants, surface metric",d=>d.key.endsWith("_surface")),t("Fundamental forms",n)],d=>e.setting({quantity:d,range:e.state.settings.range==="fixed"?"robust":e.state.settings.range})),a=xn("Range of colours",[{value:"robust",label:"Percentiles",title:"Leave out a few extreme values at either end"},{value:"full",label:"All",title:"From the least to the greatest value"},{value:"fixed",label:"Fixed",title:"Ends given by hand"}],d=>e.setting({range:d})),o=ei({label:"cut",name:"Percentile cut at either end",min:0,max:20,step:.5,marks:[2,5,10],hard:!0,onInput:d=>e.setting({percentile:d})}),l=On({label:"from",name:"Lowest colour",onChange:d=>e.setting({low:d})}),c=On({label:"to",name:"Highest colour",onChange:d=>e.setting({high:d})}),h=R("div",{class:"pair"},l.element,c.element),f=nn("Contour lines",d=>e.setting({contours:d}),void 0,"Ten steps from end to end");return this.bindings.push(d=>{let u=Un.find(v=>v.key===d.quantity),p=u!==void 0&&u.colour!=="classes";r.update(d.quantity),a.update(d.range),o.update(d.percentile),l.update(d.low),c.update(d.high),f.update(d.contours),a.element.hidden=f.element.hidden=!p,o.element.hidden=!p||d.range!=="robust",h.hidden=!p||d.range!=="fixed"}),[r.element,a.element,o.element,h,f.element]}overlays(){let{store:e}=this,t=(...o)=>{let l=R("span",{class:"keys"},...o.map(()=>R("span",{class:"key"})));return this.bindings.push((c,h)=>o.forEach((f,d)=>l.children[d].style.background=mh(f,h))),l},n=(o,l,c,h="")=>{let f=nn(l,d=>e.setting({[o]:d}),c,h);return this.bindings.push(d=>f.update(d[o])),f.element},s=(o,...l)=>R("span",{},kn(o),...l),r=xn("Combs along iso-curves",[{value:"off",label:"Off"},{value:"u",label:R("i",{},"u")},{value:"v",label:R("i",{},"v")},{value:"both",label:"Both"}],o=>e.setting({combs:o})),a=ei({label:"size",name:"Size of the combs",min:.1,max:3,step:.1,marks:[1],onInput:o=>e.setting({combScale:o})});return this.bindings.push(o=>{r.update(o.combs),a.update(o.combScale),a.element.hidden=o.combs==="off"}),[R("div",{class:"switches"},n("net","Control net",t("net")),n("curves","Iso-curves"),n("directions","Principal directions",t("first","second"),"Strong: direction of κ1; light: of κ2"),n("normals","Normals",t("normals")),n("zeroK",s("K"," = 0"),t("zeroK"),"Parabolic lines"),n("zeroH",s("H"," = 0"),t("zeroH")),n("minRadius","Smallest radius"),n("wireframe","Wireframe")),R("div",{class:"row"},R("span",{class:"caption"},"Combs"),r.element),a.element]}stripes(){let{store:e}=this,t=xn("Light lines",[{value:"none",label:"Off"},{value:"zebra",label:"Zebra",title:"Stripes of a striped room, reflected"},{value:"isophotes",label:"Isophotes",title:"Lines of equal angle between normal and light"},{value:"reflection",label:"Reflect",title:"Reflections of parallel tube lights"},{value:"highlight",label:"Highlight",title:"Highlight lines: where the normal meets a tube light; the same from everywhere"}],c=>e.setting({stripes:c})),n=ei({label:"lines",name:"Number of lines",min:4,max:80,step:1,onInput:c=>e.setting({density:c}),onSettle:()=>e.settle()}),s=ei({label:"turn",name:"Azimuth of the light in degrees",min:-180,max:180,step:1,marks:[-90,0,90],onInput:c=>e.setting({lightAzimuth:c})}),r=ei({label:"height",name:"Height of the light in degrees",min:-90,max:90,step:1,marks:[0,45],onInput:c=>e.setting({lightElevation:c})}),a=R("div",{class:"light-ball",title:"Drag the light"},R("span",{})),o=c=>{let h=a.getBoundingClientRect(),f=(c.clientX-h.left)/h.width*2-1,d=1-(c.clientY-h.top)/h.height*2,u=Math.min(1,Math.hypot(f,d));e.setting({lightAzimuth:Math.round(Math.atan2(d,f)*180/Math.PI),lightElevation:Math.round(Math.acos(u)*180/Math.PI)})};a.addEventListener("pointerdown",c=>{a.setPointerCapture(c.pointerId),o(c)}),a.addEventListener("pointermove",c=>{a.hasPointerCapture(c.pointerId)&&o(c)});let l=R("div",{class:"light"},a,R("div",{class:"stack"},s.element,r.element));return this.bindings.push(c=>{t.update(c.stripes),n.update(c.density),s.update(c.lightAzimuth),r.update(c.lightElevation),n.element.hidden=l.hidden=c.stripes==="none";let h=c.lightAzimuth*Math.PI/180,f=Math.cos(c.lightElevation*Math.PI/180),d=a.firstElementChild;d.style.left=`${50+50*f*Math.cos(h)}%`,d.style.top=`${50-50*f*Math.sin(h)}%`,d.classList.toggle("under",c.lightElevation<0)}),[t.element,n.element,l]}cut(){let{store:e}=this,t=nn("Section by a plane",r=>e.setting({section:r})),n=nn("Cut the front away",r=>e.setting({clip:r})),s=xn("Normal of the plane",[{value:"x",label:"x"},{value:"y",label:"y"},{value:"z",label:"z"}],r=>e.setting({sectionAxis:r}));return this.sectionAt=R("div",{}),this.bindings.push(r=>{t.update(r.section),n.update(r.clip),s.update(r.sectionAxis),n.element.hidden=s.element.hidden=this.sectionAt.hidden=!r.section,this.offset?.update(r.sectionAt)}),[t.element,s.element,this.sectionAt,n.element]}sectionAt=R("div",{});offset=null;sectionRange(e,t){let n=10**Math.floor(Math.log10(Math.max(t-e,1e-12)/100));this.offset=ei({label:"at",name:"Place of the section plane",min:e,max:t,step:n,onInput:s=>this.store.setting({sectionAt:s})}),this.offset.update(this.store.state.settings.sectionAt),this.sectionAt.replaceChildren(this.offset.element)}};var $f=256,is=Zr(ut.palette.undefined),Ml=Zr(ut.palette.front),Hs=Zr(ut.palette.back),gw=ut.palette.series;function Ni(i){let e=(i.colour==="diverging"?ut.palette.diverging:ut.palette.sequential).map(Zr);return Array.from({length:$f},(t,n)=>{let s=n/($f-1)*(e.length-1),r=Math.min(Math.floor(s),e.length-2);return[0,1,2].map(a=>Math.round(e[r][a]+(s-r)*(e[r+1][a]-e[r][a])))})}var Di=i=>ut.palette.classes[i].map(Zr),Yf=i=>Uint8Array.from(i.flatMap(e=>[...e,255])),Nn=([i,e,t])=>`rgb(${i} ${e} ${t})`;function Zr(i){return[1,3,5].map(e=>parseInt(i.slice(e,e+2),16))}var Al=class{element=R("figure",{class:"legend","aria-label":"Legend"});bar=R("canvas",{class:"colours",width:1,height:256});plot=R("canvas",{class:"histogram",width:96,height:192,"aria-hidden":"true"});shown="";ticks=[];note=R("figcaption",{});real(e,t,n,s){let r=dt[e];if(this.shown!==`${e} ${n}`){this.shown=`${e} ${n}`;let c=this.bar.getContext("2d");Ni(r).forEach((f,d,u)=>{c.fillStyle=Nn(f),c.fillRect(0,u.length-1-d,1,1)}),this.ticks=Array.from({length:5},()=>R("span",{class:"tick"}));let h=Bn(r,n);this.element.replaceChildren(R("div",{class:"legend-title"},R("span",{},At(r.name)),R("span",{class:"legend-symbol"},kn(r.latex),h?R("span",{class:"unit"},h):null)),R("div",{class:"scale"},this.plot,this.bar,R("div",{class:"ticks"},...this.ticks)),this.note)}let{low:a,high:o}=t;this.ticks.forEach((c,h)=>{let f=h/(this.ticks.length-1);c.textContent=pt(a+(o-a)*f,3),c.style.bottom=`${100*f}%`}),this.histogram(t,s);let l=[R("div",{},`${pt(t.least,3)} to ${pt(t.most,3)}, mean ${pt(t.mean,3)}`)];t.below+t.above>0&&l.push(R("div",{},`${Ql(t.below+t.above)} beyond the ends`)),t.missing&&l.push(R("div",{class:"missing"},wl(Nn(is)),`${t.missing} of ${t.count} points undefined`)),this.note.replaceChildren(...l)}classes(e,t){this.shown="";let n=dt[e],s=Di(e),r=new Array(s.length).fill(0),a=0;for(let l of t){a+=l.length;for(let c of l)r[c]++}let o=n.classes.map((l,c)=>({name:l,code:c})).filter(({code:l})=>l>0||r[0]>0);this.element.replaceChildren(R("div",{class:"legend-title"},R("span",{},At(n.name))),R("ul",{class:"types"},...o.map(({name:l,code:c})=>R("li",{class:r[c]?"":"absent"},wl(Nn(s[c])),R("span",{},l),R("span",{class:"share"},r[c]?Ql(r[c]/a):"–")))))}plain(){this.shown!=="plain"&&(this.shown="plain",this.element.replaceChildren(R("ul",{class:"types"},R("li",{},wl(Nn(Ml)),R("span",{},"side the normal points to")),R("li",{},wl(Nn(Hs)),R("span",{},"other side")))))}histogram(e,t){let{width:n,height:s}=this.plot,r=this.plot.getContext("2d");r.clearRect(0,0,n,s);let a=Math.max(...e.histogram,1),o=s/e.histogram.length;r.fillStyle=t?"rgb(255 255 255 / 38%)":"rgb(20 30 45 / 30%)",e.histogram.forEach((l,c)=>{let h=l?Math.max(2,Math.sqrt(l/a)*n):0;r.fillRect(n-h,s-(c+1)*o,h,o-1)})}},wl=i=>{let e=R("span",{class:"swatch"});return e.style.background=i,e};var Tl=class{constructor(e){this.store=e;let t=[{label:"Constructions",options:Jf(!0)},{label:"Closed forms",options:Jf(!1)}];this.kind=or("Construction",t,n=>this.become(n)),this.unit=or("Unit of length",[{label:"",options:[{value:"",label:"no unit"},...ra.map(n=>({value:n,label:n}))]}],n=>e.edit({...e.state.model,unit:n})),this.flip=nn("Turn the normal",n=>e.editPatch({...It(e.state),flip:n}),void 0,"The signs of H, κ1, κ2 and S follow the normal"),this.basis=xn("Basis",[{value:"trigonometric",label:"Trigonometric",title:"Quintic trigonometric Bézier basis"},{value:"bernstein",label:"Bernstein",title:"The classical basis on the same points, to compare with"}],n=>e.editPatch({...It(e.state),basis:n})),this.locks=["x","y","z"].map((n,s)=>nn(n,r=>{let a=[...e.state.settings.locks];a[s]=r,e.setting({locks:a})},void 0,`Keep ${n} while dragging`)),this.snap=nn("Snap to",n=>e.setting({snap:n}),void 0,"Round coordinates while dragging"),this.step=On({label:"",name:"Snap step",positive:!0,onChange:n=>e.setting({snapStep:n})}),this.element.append(this.patches,R("div",{class:"stack"},R("label",{class:"row"},R("span",{class:"caption"},"Construction"),this.kind.element),this.about,R("label",{class:"row"},R("span",{class:"caption"},"Unit"),this.unit.element),R("div",{class:"row basis"},R("span",{class:"caption"},"Basis"),this.basis.element),this.flip.element),xi("Control points",!0,this.points,R("div",{class:"drag-tools"},R("div",{class:"locks",role:"group","aria-label":"Axes kept while dragging"},R("span",{class:"caption"},"Keep"),...this.locks.map(n=>n.element)),R("div",{class:"snap"},this.snap.element,this.step.element)))),e.subscribe((n,s)=>{(n.model!==s.model||n.patch!==s.patch||n.selected!==s.selected||n.settings!==s.settings)&&this.refresh(n)})}store;element=R("aside",{class:"panel left","aria-label":"Model"});patches=R("div",{class:"patches",role:"listbox","aria-label":"Patches"});kind;unit;flip;basis;about=R("p",{class:"hint"});points=R("div",{class:"points"});locks;snap;step;list=[];shownPatch=null;tab="";coordinates=[];refresh(e){let t=It(e),n=tn[t.kind];this.kind.update(t.kind),this.unit.update(e.model.unit),this.flip.update(Ft(t,"flip")===!0),this.basis.update(String(Ft(t,"basis")??"")),this.basis.element.parentElement.hidden=!n.fields.basis,this.about.textContent=At(n.title),e.settings.locks.forEach((s,r)=>this.locks[r].update(s)),this.snap.update(e.settings.snap),this.step.update(e.settings.snapStep),this.patches.hidden=e.model.patches.length<2,this.patches.replaceChildren(...e.model.patches.map((s,r)=>R("button",{type:"button",class:"patch",role:"option","aria-selected":r===e.patch,on:{click:()=>this.store.set({patch:r,selected:null})}},R("span",{},s.name),R("small",{},s.kind.replaceAll("_"," "))))),this.showPoints(e,t)}showPoints(e,t){if(t!==this.shownPatch){try{this.list=Qn(t,Kt(t)).filter(u=>!u.mirrored)}catch{this.list=[]}this.shownPatch=t}let n=this.points.parentElement.parentElement;if(n.hidden=!this.list.length,!this.list.length)return;let s=this.list.find(u=>u.id===e.selected?.replace("′","")),r=[...new Set(this.list.map(u=>u.key))];s&&(this.tab=s.key),r.includes(this.tab)||(this.tab=r[0]);let a=xn("Which points",r.map(u=>({value:u,label:At(u)})),u=>{this.tab=u,this.store.set({selected:null}),this.showPoints(this.store.state,t)});a.update(this.tab);let o=this.list.filter(u=>u.key===this.tab),l=Math.max(...o.map(u=>u.index.at(-1)))+1,c=R("div",{class:"net",role:"grid","aria-label":`${At(this.tab)}: choose one`},...o.map((u,p)=>R("button",{type:"button",class:"knob",title:u.label,"aria-label":u.label,"aria-pressed":u===s,tabindex:u===s||!s&&p===0?0:-1,on:{click:()=>this.store.set({selected:u===s?null:u.id})}},u.index.length>1?"":u.index[0])));c.style.setProperty("--columns",String(l)),c.addEventListener("keydown",u=>this.walk(u,o,l));let h=this.points.getRootNode().activeElement,f=h?.classList.contains("knob")??!1,d=this.coordinates.findIndex(u=>u.element.contains(h));this.coordinates=s?this.fields(s):[],this.points.replaceChildren(r.length>1?a.element:"",c,s?R("div",{class:"coordinates"},R("span",{class:"caption"},s.label),...this.coordinates.map(u=>u.element)):R("p",{class:"hint"},`${o.length} points: choose one here, or drag one in the picture`)),f&&c.querySelector('[tabindex="0"]')?.focus(),d>=0&&this.coordinates[d]?.element.querySelector("input")?.focus()}fields(e){let t=It(this.store.state),n=Ft(t,e.key);for(let a of e.index)n=n[a];let s=n,r=e.along?["a","b","c","d"]:t.kind==="swung"?e.key==="profile"?["r","z"]:["x","y"]:["x","y","z"];return s.map((a,o)=>{let l=On({label:R("i",{class:"math"},r[o]),name:`${e.label} ${r[o]}`,onChange:c=>this.store.editPatch(ua(It(this.store.state),e.key,e.index,s.map((h,f)=>f===o?c:h)))});return l.update(a),l})}walk(e,t,n){let s={ArrowRight:1,ArrowLeft:-1,ArrowDown:n,ArrowUp:-n}[e.key];if(!s)return;e.preventDefault(),e.stopPropagation();let r=t.findIndex(o=>o.id===this.store.state.selected),a=t[Math.min(t.length-1,Math.max(0,r+s))];this.store.set({selected:a.id})}become(e){let{name:t}=It(this.store.state);this.store.set({selected:null}),this.store.editPatch({...ga(e).patches[0],name:t})}};function Zf(i,e){let t=It(i.state),n=Qn(t,Kt(t)).find(s=>s.id===i.state.selected);n&&i.editPatch(da(t,n,n.position.map((s,r)=>s+e[r])),`nudge ${n.id}`)}var Jf=i=>Object.entries(tn).filter(([,e])=>e.construction===i).map(([e])=>({value:e,label:At(e.replaceAll("_"," "))}));function Gs(i,e,t,n){return new Promise(s=>{let r=R("dialog",{"aria-label":e}),a=l=>{r.close(),r.remove(),s(l)},o=R("form",{method:"dialog"},R("h2",{},e),R("div",{class:"dialog-body"},...t),R("div",{class:"dialog-buttons"},...n.map(([l,c],h)=>it(c,c,()=>a(l),h===0?"button primary":"button"))));o.addEventListener("submit",l=>{l.preventDefault(),a(n[0]?.[0]??null)}),r.addEventListener("cancel",l=>{l.preventDefault(),a(null)}),r.addEventListener("keydown",l=>l.stopPropagation()),r.append(o),i.append(r),r.showModal()})}async function Kf(i,e,t){let n=R("input",{type:"text",value:t,"aria-label":"File name",spellcheck:"false"});return await Gs(i,e,[R("label",{class:"field wide"},R("span",{},"File name"),n),R("p",{class:"hint"},"Ends in .toml or .json; saved in the folder that the studio was opened on.")],[["save","Save"],["cancel","Cancel"]])==="save"?n.value.trim():null}async function jf(i,e,t){let n=(u,p)=>R("input",{type:"number",class:"number",min:64,max:8192,step:1,value:p,"aria-label":u}),s=n("Width in pixels",Math.round(e)),r=n("Height in pixels",Math.round(t)),a=(u,p)=>{s.value=String(u),r.value=String(p)},o=R("div",{class:"chips"},it("1920 × 1080","1920 by 1080",()=>a(1920,1080),"chip"),it("3840 × 2160","3840 by 2160",()=>a(3840,2160),"chip"),it("2000 × 2000","2000 by 2000",()=>a(2e3,2e3),"chip")),l=R("select",{"aria-label":"Background"},R("option",{value:"theme"},"As shown"),R("option",{value:"white"},"White"),R("option",{value:"none"},"Transparent")),c=!0,h=nn("With legend",u=>c=u);if(h.update(!0),await Gs(i,"Save a picture",[R("div",{class:"pair"},R("label",{class:"field"},R("span",{},"Width"),s),R("label",{class:"field"},R("span",{},"Height"),r)),o,R("label",{class:"row"},R("span",{class:"caption"},"Background"),l),h.element],[["save","Save PNG"],["cancel","Cancel"]])!=="save")return null;let d=(u,p)=>Math.min(8192,Math.max(64,Math.round(Number(u.value))||p));return{width:d(s,e),height:d(r,t),background:l.value,legend:c}}var pv=[["Ctrl Z, Ctrl Shift Z","undo, redo"],["Ctrl S, Ctrl O","save, open"],["1 2 3 4","views: oblique, top, side, back"],["P","perspective or parallel"],["F","fit"],["N","control net"],["I","iso-curves"],["W","wireframe"],["Z","zebra"],["C","compare: next arrangement"],["arrows","turn the view, or move the chosen point by the snap step"],["Shift arrows","pan, or move by ten steps"],["+ −","zoom"],["[ ]","choose the control point before or after"],["Esc","let go of the point"],["Enter","pin the point in the middle of the picture"]],gh=i=>Gs(i,"Keys and pointer",[R("p",{},"Drag to turn, with Shift or the right button to pan, wheel to zoom. Drag a control point to move it. Click the surface to pin a point."),R("dl",{class:"keys-list"},...pv.flatMap(([e,t])=>[R("dt",{},e),R("dd",{},t)])),R("p",{class:"hint"},"Grey is where a quantity has no value. The signs of H, κ1, κ2 and S follow the normal, which points along Su × Sv unless turned.")],[["close","Close"]]);var El=class{constructor(e){this.store=e;this.element.append(this.left,this.warning,R("span",{class:"spacer"}),this.right),e.subscribe(t=>{t.message!==this.shown&&this.say(t.message)})}store;element=R("footer",{class:"status"});banner=R("div",{class:"banners"});left=R("span",{});warning=R("span",{class:"warning"});right=R("span",{class:"quiet"});shown=null;timer=0;refresh(e,t){let n=e.model.patches[e.patch],s=e.model.unit,r=Ft(n,"flip")===!0?"turned: against":"along";this.left.replaceChildren("Normal ",r," ",R("i",{class:"math"},"S"),R("sub",{},"u")," × ",R("i",{class:"math"},"S"),R("sub",{},"v"),s?` · lengths in ${s}`:" · no unit",t.sharp?` · smallest radius ${pt(t.sharp.radius)}${s?` ${s}`:""} at u = ${pt(t.sharp.u)}, v = ${pt(t.sharp.v)}`:"");let a=t.singular?`${t.singular} of ${t.points} points singular (grey)`:"";this.warning.textContent=[a,t.warning].filter(Boolean).join(" · "),this.right.textContent=`${t.side} × ${t.side} points, ${t.cost.toFixed(1)} ms`}offer(e,t,n,s,r){let a=R("div",{class:"banner",role:"alert"},R("span",{},e));a.append(it(t,t,()=>{a.remove(),n()},"button primary"),it(s,s,()=>{a.remove(),r()})),this.banner.append(a)}warn(e){this.store.set({message:{kind:"error",text:e}})}say(e){this.shown=e,clearTimeout(this.timer),this.banner.querySelector(".message")?.remove(),e&&(this.banner.append(R("div",{class:`banner message ${e.kind}`,role:e.kind==="error"?"alert":"status"},R("span",{},e.text),it(xt(wt.close),"Close",()=>this.store.set({message:null}),"tiny"))),e.kind==="note"&&(this.timer=window.setTimeout(()=>this.store.set({message:null}),4e3)))}};var Cl=class{element;name;dirty=R("span",{class:"dirty",title:"Not saved"});undo;redo;compare;constructor(e,t,n,s,r){this.name=R("input",{class:"name","aria-label":"Name of the model",spellcheck:"false",maxlength:200}),this.name.addEventListener("change",()=>{let l=this.name.value.trim();if(!l)return void(this.name.value=e.state.model.name);let{model:c}=e.state,h=c.patches.length===1?[{...c.patches[0],name:l}]:c.patches;e.edit({...c,name:l,patches:h})}),this.undo=it(xt(wt.undo),"Undo (Ctrl Z)",()=>e.undo(),"button square"),this.redo=it(xt(wt.redo),"Redo (Ctrl Shift Z)",()=>e.redo(),"button square");let a=()=>["Presets",...pa.map(l=>({label:l.name,hint:l.patches[0].kind.replaceAll("_"," "),act:()=>{t.start(l)}})),"Starters",...Object.entries(tn).filter(([,l])=>l.construction).map(([l,{title:c}])=>({label:At(l),hint:c,act:()=>{t.start(ga(l))}}))];this.compare=xn("Compare",[{value:"off",label:"One",title:"The model alone"},{value:"before",label:"Before | now",title:"As last saved or opened, beside the model now"},{value:"sets",label:"Four sets",title:"The four sets of shape parameters of the thesis, on one scale"},{value:"kept",label:"Kept",title:"The model beside those you kept"}],l=>e.set({compare:l}));let o=it("Keep","Keep the model as it is now, to compare with",()=>{let{model:l,kept:c}=e.state;e.set({kept:[...c.slice(-4),{label:`kept ${c.length+1}`,model:l}],compare:"kept"})},"button quiet");this.element=R("header",{class:"bar"},r?null:R("span",{class:"brand",title:"quintrig"},mv(),"quintrig"),this.name,this.dirty,R("div",{class:"group"},lr(R("span",{},"Models",xt(wt.down)),"Presets and starters",a),lr(R("span",{},xt(wt.open),"Open",xt(wt.down)),"Open a model",()=>t.openItems()),lr(R("span",{},xt(wt.save),"Save",xt(wt.down)),"Save the model",()=>t.saveItems())),R("div",{class:"group tight"},this.undo,this.redo),R("div",{class:"group tight"},this.compare.element,o),R("span",{class:"spacer"}),R("div",{class:"group tight"},it(xt(wt.picture),"Save a picture",()=>{t.picture()},"button square"),lr(xt(wt.export),"Export",()=>t.exportItems(),"button square"),it(xt(wt.sun),"Light or dark",n,"button square theme"),it(xt(wt.help),"Keys and pointer (?)",s,"button square")))}refresh(e){this.name.matches(":focus")||(this.name.value=e.model.name),this.name.style.width=`${Math.min(24,Math.max(8,this.name.value.length+1))}ch`,this.dirty.hidden=e.model===e.saved,this.undo.disabled=!e.canUndo,this.redo.disabled=!e.canRedo,this.compare.update(e.compare)}};function mv(){let i=xt("M2 11c3-6 9-1 12-7M2 11c2 3 5 3 6.5 2.2M14 4c.3 3-1.500 7.200-5.500 9.200M5.500 7.700c1 2.500 3 4 5.600 3.700M9.500 6.600c.7 1.900 1.900 3 3.400 3.100");return i.classList.add("mark-icon"),i}function Qf(i,e,t,n,s,r,a){let o=i.getContext("2d"),{width:l,height:c}=i,h=Math.max(11,Math.min(l,c)/48);o.fillStyle=o.strokeStyle=a?"#e8edf3":"#1c232c",o.textBaseline="middle",o.font=`600 ${h}px Helvetica, Arial, sans-serif`;let f=s.length?Math.max(...s.map(M=>M.x+M.width)):1;if(r.forEach((M,A)=>{let w=s[A];w&&M&&o.fillText(M,w.x/f*l+h,w.y/f*l+1.4*h)}),!e.legend)return i;let d=t.model.patches[t.patch],u=Ft(d,"flip")===!0?"turned, against Su × Sv":"along Su × Sv";o.font=`${.85*h}px Helvetica, Arial, sans-serif`,o.fillText(`${t.model.name} · normal ${u}${t.model.unit?` · ${t.model.unit}`:""}`,h,c-1.2*h);let p=dt[t.settings.quantity];if(!p)return i;let v=Bn(p,t.model.unit),g=`${At(p.name)}${p.colour==="classes"?"":` ${p.symbol}`}${v?` (${v})`:""}`,m=l-h,_=o.measureText(g).width;if(o.textAlign="right",o.fillText(g,m,1.4*h),o.textAlign="left",n){let M=2.6*h,A=Math.min(14*h,c*.5),w=m-Math.max(4.6*h,.3*_),x=Ni(p);x.forEach((S,F)=>{o.fillStyle=Nn(S),o.fillRect(w,M+A*(1-(F+1)/x.length),h,A/x.length+.6)}),o.fillStyle=a?"#e8edf3":"#1c232c";for(let S=0;S<5;S++)o.fillText(pt(n.low+(n.high-n.low)*S/4,3),w+1.4*h,M+A*(1-S/4));return i}let E=Di(p.key);return p.classes.slice(1).forEach((M,A)=>{let w=(2.9+1.4*A)*h;o.fillStyle=Nn(E[A+1]),o.fillRect(m-h,w-.5*h,h,h),o.fillStyle=a?"#e8edf3":"#1c232c",o.textAlign="right",o.fillText(M,m-1.5*h,w),o.textAlign="left"}),i}function ep(i,e){let{planes:t,stride:n,count:s,nu:r,nv:a}=e.grid,o=0,l=-1;for(let u=0;u<s;u++){let p=Math.abs(t[Ne.mean*n+u])+t[Ne.radius*n+u];p>o&&p<1/0&&(o=p,l=u)}if(l<0||!(o*e.grid.size>1e-9))return null;let c=Math.floor(l/a)/(r-1),h=l%a/(a-1),f=[],d=u=>Math.min(1,Math.max(0,u));for(let u=.5/(r-1);u>1e-6;u*=.5){let p=[-1,0,1].map(_=>_*u),v=p.map(_=>d(c+_)),g=p.map(_=>d(h+_)),m=Gi(i,v,g,!1,["k1","k2","point"]);for(let _=0;_<9;_++){let E=Math.max(Math.abs(m.k1[_]),Math.abs(m.k2[_]));(E>=o||_===4&&!f.length)&&(o=Math.max(o,E),c=v[Math.floor(_/3)],h=g[_%3],f=Array.from(m.point.subarray(3*_,3*_+3)))}}return{u:c,v:h,point:f,radius:1/o}}var xh=1e-9,yh=48,Rl=new Float32Array(0);function tp(i,e,t){let n=i.reduce((m,_)=>m+_.values.length,0);Rl.length<n&&(Rl=new Float32Array(n));let s=0,r=1/0,a=-1/0,o=0,l=1;for(let m of i){l=Math.max(l===1?0:l,xv(m,e));for(let _ of m.values)_-_===0&&(Rl[s++]=_,o+=_,_<r&&(r=_),_>a&&(a=_))}let c=Rl.subarray(0,s),[h,f]=gv(c,r,a,e,t,l);f>h||([h,f]=[h-.5*(Math.abs(h)||1),h+.5*(Math.abs(h)||1)]);let d=0,u=0,p=new Array(yh).fill(0),v=yh/(f-h);for(let m of i)for(let _ of m.values)_<h?d++:_>f?u++:_-_===0&&p[Math.min(yh-1,Math.floor((_-h)*v))]++;let g=s?1/s:0;return{low:h,high:f,below:d*g,above:u*g,least:r,most:a,mean:s?o/s:NaN,missing:n-s,count:n,histogram:p}}function gv(i,e,t,n,s,r){if(s.range==="fixed")return[s.low,s.high];if(n.key==="shape_index")return[-1,1];if(!i.length)return n.colour==="diverging"?[-1,1]:[0,1];let a=s.range==="robust",o=s.percentile/100;if(n.colour==="diverging"){let d=Math.max(-e,t),u=d;if(a){for(let p=0;p<i.length;p++)i[p]=Math.abs(i[p]);u=vh(_h(i,1-o),d)}return(u<=xh*r||u===0)&&(u=r>0?r:1),[-u,u]}let l=a?_h(i,o):e,c=a?_h(i,1-o):t,h=.5*(l+c);if(a&&(l=h-vh(h-l,h-e),c=h+vh(c-h,t-h)),l>=0&&l<=.4*c&&(l=0),c>l&&c-l>=Math.max(.02*Math.abs(h),xh*r))return[l,c];let f=Math.abs(h)>xh*r?.5*Math.abs(h):r||1;return[h-f,h+f]}var vh=(i,e)=>e<=1.5*i?e:i;function xv(i,e){let{size:t,planes:n,stride:s,count:r}=i.grid;if(e.power===0||!(t>0))return 1;if(e.power>0)return t**e.power;let a=1/t;for(let o=0;o<r;o+=7){let l=n[Ne.curvedness*s+o];l>a&&l<1/0&&(a=l)}return a**-e.power}function _h(i,e){let t=Math.round(e*(i.length-1)),n=0,s=i.length-1;for(;n<s;){let r=i[n+s>>1],a=n,o=s;for(;a<=o;){for(;i[a]<r;)a++;for(;i[o]>r;)o--;if(a<=o){let l=i[a];i[a++]=i[o],i[o--]=l}}if(t<=o)s=o;else if(t>=a)n=a;else break}return i[t]}var Pl={iso:[-55,26],top:[-90,90],side:[-90,0],back:[0,0]},np=14*Math.PI/180,bh=Math.PI/180,Il=class{azimuth=Pl.iso[0];elevation=Pl.iso[1];span=1.1;target=new O;projection="perspective";perspective=new Vt(2*np/bh,1,.01,100);orthographic=new Ns;goal=null;from={azimuth:0,elevation:0,span:1,target:new O};camera(e){let t=this.projection==="perspective"?this.perspective:this.orthographic,n=this.span/Math.min(1,e),s=n/Math.tan(np),{right:r,up:a,towards:o}=this.axes();return t.position.copy(this.target).addScaledVector(o,s),t.matrixWorld.copy(new rt().makeBasis(r,a,o)).setPosition(t.position),t.matrixWorld.decompose(t.position,t.quaternion,t.scale),t instanceof Vt?(t.aspect=e,t.near=Math.max(s-6,.02*s),t.far=s+12):(t.left=-n*e,t.right=n*e,t.top=n,t.bottom=-n,t.near=s-12,t.far=s+12),t.updateProjectionMatrix(),t.updateMatrixWorld(!0),t}axes(){let e=this.azimuth*bh,t=this.elevation*bh;return{right:new O(-Math.sin(e),Math.cos(e),0),up:new O(-Math.sin(t)*Math.cos(e),-Math.sin(t)*Math.sin(e),Math.cos(t)),towards:new O(Math.cos(t)*Math.cos(e),Math.cos(t)*Math.sin(e),Math.sin(t))}}turn(e,t){this.goal=null,this.azimuth-=e*.35,this.elevation=Math.max(-90,Math.min(90,this.elevation+t*.35))}pan(e,t){this.goal=null;let{right:n,up:s}=this.axes();this.target.addScaledVector(n,-2*e*this.span).addScaledVector(s,2*t*this.span)}zoom(e){this.goal=null,this.span=Math.max(1e-4,Math.min(20,this.span*e))}go(e,t,n,s,r){if(r){this.azimuth=e,this.elevation=t,this.span=n,this.target.copy(s);return}let a=(e-this.azimuth)%360;a>180&&(a-=360),a<-180&&(a+=360),this.from={azimuth:this.azimuth,elevation:this.elevation,span:this.span,target:this.target.clone()},this.goal={azimuth:this.azimuth+a,elevation:t,span:n,target:s.clone(),start:performance.now()}}step(e){if(!this.goal)return!1;let t=Math.min(1,Math.max(0,(e-this.goal.start)/260)),n=1-(1-t)**3,s=(r,a)=>r+(a-r)*n;return this.azimuth=s(this.from.azimuth,this.goal.azimuth),this.elevation=s(this.from.elevation,this.goal.elevation),this.span=s(this.from.span,this.goal.span),this.target.lerpVectors(this.from.target,this.goal.target,n),t>=1&&(this.goal=null),t<1}};var ip=`
+out vec3 place;
+out vec3 way;
+out vec2 parameters;
+void main() {
+  place = position;
+  way = normal;
+  parameters = uv;
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+}`,sp=`
+precision highp float;
+precision highp sampler2D;
+in vec3 place;
+in vec3 way;
+in vec2 parameters;
+layout(location = 0) out vec4 pixel;
+
+uniform int mode;            // 0 plain, 1 real quantity, 2 classes
+uniform sampler2D field;     // one number a grid point; 1e38 where there is none
+uniform sampler2D colours;   // the colour map, or one colour a class
+uniform vec2 range;
+uniform float contour;       // distance between contour lines of the quantity; 0: none
+uniform vec2 cells;          // grid points in u and v
+uniform vec3 front;
+uniform vec3 back;
+uniform vec3 undefinedColour;
+uniform int stripes;         // 0 none, 1 zebra, 2 isophotes, 3 reflection lines, 4 highlight lines
+uniform float density;
+uniform vec3 light;
+uniform float curves;        // iso-curves across each parameter; 0: none
+uniform vec4 cut;            // plane: cut.xyz . x > cut.w is cut away
+uniform bool clipped;
+uniform bool wire;
+uniform float shade;         // strength of the light
+uniform vec3 towards;        // direction to the eye, orthographic
+uniform float faded;
+
+const float MISSING = 1e37;
+
+float at(ivec2 i) { return texelFetch(field, ivec2(i.y, i.x), 0).r; }
+
+float line(float x, float width) {
+  float slope = max(fwidth(x), 1e-6);
+  float away = abs(fract(x - 0.5) - 0.5) / slope;
+  return (1.0 - smoothstep(width - 0.5, width + 0.5, away)) * clamp(1.2 - slope * 2.0, 0.0, 1.0);
+}
+
+float band(float x) {
+  float slope = max(fwidth(x), 1e-6);
+  float wave = abs(fract(x) - 0.5) - 0.25;
+  return mix(smoothstep(-slope, slope, wave), 0.5, smoothstep(0.35, 0.8, slope));
+}
+
+void main() {
+  if (clipped && dot(cut.xyz, place) > cut.w) discard;
+  vec3 eye = isOrthographic ? towards : normalize(cameraPosition - place);
+  vec3 flatWay = cross(dFdx(place), dFdy(place));
+  vec3 normal = dot(way, way) > 0.2 ? normalize(way) : (dot(flatWay, flatWay) > 0.0 ? normalize(flatWay) : eye);
+  bool outside = dot(normal, eye) >= 0.0;
+  vec3 colour = outside ? front : back;
+
+  if (mode == 1) {
+    vec2 x = parameters * (cells - 1.0);
+    ivec2 i = ivec2(clamp(floor(x), vec2(0.0), cells - 2.0));
+    vec2 f = x - vec2(i);
+    float a = at(i), b = at(i + ivec2(1, 0)), c = at(i + ivec2(0, 1)), d = at(i + ivec2(1, 1));
+    if (max(max(abs(a), abs(b)), max(abs(c), abs(d))) > MISSING) {
+      colour = undefinedColour;
+    } else {
+      float value = mix(mix(a, b, f.x), mix(c, d, f.x), f.y);
+      float share = clamp((value - range.x) / (range.y - range.x), 0.0, 1.0);
+      colour = texture(colours, vec2(share * 255.0 / 256.0 + 0.5 / 256.0, 0.5)).rgb;
+      if (contour > 0.0) colour = mix(colour, vec3(0.08), 0.55 * line(value / contour, 0.6));
+    }
+  } else if (mode == 2) {
+    float code = at(ivec2(clamp(floor(parameters * (cells - 1.0) + 0.5), vec2(0.0), cells - 1.0)));
+    colour = texelFetch(colours, ivec2(int(code + 0.5), 0), 0).rgb;
+  }
+
+  if (stripes > 0) {
+    vec3 n = outside ? normal : -normal;
+    vec3 side = normalize(abs(light.z) < 0.95 ? cross(light, vec3(0.0, 0.0, 1.0)) : cross(light, vec3(0.0, 1.0, 0.0)));
+    float x = 0.0;
+    float seen = 1.0;
+    if (stripes == 1) {
+      x = acos(clamp(dot(reflect(-eye, n), light), -1.0, 1.0)) / 3.14159265 * density;
+    } else if (stripes == 2) {
+      x = acos(clamp(dot(n, light), -1.0, 1.0)) / 3.14159265 * density;
+    } else {
+      // A ceiling of parallel tube lights, three scene lengths off along the light's direction.
+      vec3 ray = stripes == 3 ? reflect(-eye, n) : n;
+      float rise = dot(ray, light);
+      vec3 hit = place + ray * ((3.0 - dot(place, light)) / max(rise, 1e-4));
+      x = dot(hit, side) * density / 12.0;
+      seen = smoothstep(0.02, 0.12, rise);
+    }
+    float dark = band(x) * seen;
+    colour = mode == 0 ? mix(vec3(0.96), vec3(0.1), dark) : mix(colour, colour * 0.28, dark);
+  }
+
+  float lit = abs(dot(normal, normalize(eye + 0.35 * light)));
+  colour *= mix(1.0, 0.62 + 0.42 * lit, shade);
+  if (mode == 0 && stripes == 0) colour += 0.10 * pow(lit, 24.0);
+
+  float grid = 0.0;
+  if (curves > 0.0) grid = max(line(parameters.x * curves, wire ? 0.75 : 0.5), line(parameters.y * curves, wire ? 0.75 : 0.5));
+  if (wire) {
+    if (grid < 0.15) discard;
+    pixel = vec4(colour * 0.9, 1.0);
+  } else {
+    pixel = vec4(mix(colour, vec3(0.05, 0.07, 0.1), grid * 0.34), 1.0);
+  }
+  pixel.rgb = mix(pixel.rgb, vec3(0.5), faded);
+}`;var yv=1e38,rp=new Map,Ll=class{grid=new hs;material;mesh;values=new Float32Array(0);singular=0;buffers=new Map;current=null;constructor(){this.material=new qt({glslVersion:Li,vertexShader:ip,fragmentShader:sp,side:bn,polygonOffset:!0,polygonOffsetFactor:1,polygonOffsetUnits:1,uniforms:{mode:{value:0},field:{value:null},colours:{value:null},range:{value:new Ve(-1,1)},contour:{value:0},cells:{value:new Ve(2,2)},front:{value:new O},back:{value:new O},undefinedColour:{value:new O},stripes:{value:0},density:{value:20},light:{value:new O(0,0,1)},curves:{value:0},cut:{value:new et},clipped:{value:!1},wire:{value:!1},shade:{value:1},towards:{value:new O(0,0,1)},faded:{value:0}}}),this.mesh=new en(void 0,this.material),this.mesh.frustumCulled=!1}update(e,t,n,s){let r=this.current=this.prepare(t),{grid:a}=this;a.evaluate(e,t,t);let{planes:o,stride:l,count:c}=a;this.singular=0;for(let f=0;f<c;f++){for(let u=0;u<3;u++){r.position[3*f+u]=(o[(Ne.point+u)*l+f]-s.centre[u])*s.scale;let p=o[(Ne.normal+u)*l+f];r.normal[3*f+u]=p===p?p:0}let d=o[Ne.gaussian*l+f];d!==d&&this.singular++}r.geometry.attributes.position.needsUpdate=!0,r.geometry.attributes.normal.needsUpdate=!0,this.mesh.geometry=r.geometry,this.material.uniforms.cells.value.set(t,t),this.paint(n)}paint(e){let t=this.current;if(!t)return;let n=this.material.uniforms,s=dt[e];if(n.mode.value=s?s.colour==="classes"?2:1:0,this.values=s?t.values:new Float32Array(0),s){this.grid.quantity(e,t.values,la);let r=t.texture.image.data;for(let a=0;a<r.length;a++){let o=t.values[a];r[a]=o-o===0?o:yv}t.texture.needsUpdate=!0,n.field.value=t.texture,n.colours.value=vv(e)}}get position(){return this.current?.position??new Float32Array(0)}get side(){return this.current?this.grid.nu:0}dispose(){for(let e of this.buffers.values())e.geometry.dispose(),e.texture.dispose();this.material.dispose()}prepare(e){let t=this.buffers.get(e);if(t)return t;if(this.buffers.size>3){let h=this.buffers.keys().next().value;this.buffers.get(h).geometry.dispose(),this.buffers.get(h).texture.dispose(),this.buffers.delete(h)}let n=new Qt,s=new Float32Array(3*e*e),r=new Float32Array(3*e*e),a=new Float32Array(2*e*e);for(let h=0,f=0;h<e;h++)for(let d=0;d<e;d++,f+=2)a.set([h/(e-1),d/(e-1)],f);let o=new Uint32Array(6*(e-1)*(e-1));for(let h=0,f=0;h<e-1;h++)for(let d=0;d<e-1;d++){let u=h*e+d;o[f++]=u,o[f++]=u+e,o[f++]=u+e+1,o[f++]=u,o[f++]=u+e+1,o[f++]=u+1}n.setIndex(new vt(o,1)),n.setAttribute("position",new vt(s,3).setUsage(Bs)),n.setAttribute("normal",new vt(r,3).setUsage(Bs)),n.setAttribute("uv",new vt(a,2));let l=new Ji(new Float32Array(e*e),e,e,Br,hn),c={geometry:n,position:s,normal:r,values:new Float32Array(e*e),texture:l};return this.buffers.set(e,c),c}},ap=([i,e,t])=>new O(i/255,e/255,t/255);function vv(i){let e=dt[i],t=e.colour==="classes"?i:e.colour,n=rp.get(t);if(!n){let s=e.colour==="classes"?Di(i):Ni(e);n=new Ji(Yf(s),s.length,1,un,Yt),n.magFilter=n.minFilter=e.colour==="classes"?_t:Ut,n.needsUpdate=!0,rp.set(t,n)}return n}function op(i,e,t,n,s){let r=1/0,a=0,o=0,[l,c,h]=t,[f,d,u]=n;for(let v=0;v<e-1;v++)for(let g=0;g<e-1;g++){let m=3*(v*e+g);for(let _=0;_<2;_++){let E=_===0?m+3*e:m+3*e+3,M=_===0?m+3*e+3:m+3,A=i[m],w=i[m+1],x=i[m+2],S=i[E]-A,F=i[E+1]-w,P=i[E+2]-x,N=i[M]-A,B=i[M+1]-w,q=i[M+2]-x,I=d*q-u*B,G=u*N-f*q,X=f*B-d*N,z=S*I+F*G+P*X;if(z===0)continue;let ee=l-A,H=c-w,K=h-x,te=(ee*I+H*G+K*X)/z;if(te<-1e-9||te>1+1e-9)continue;let ve=H*P-K*F,Ae=K*S-ee*P,$=ee*F-H*S,se=(f*ve+d*Ae+u*$)/z;if(se<-1e-9||te+se>1+1e-9)continue;let pe=(N*ve+B*Ae+q*$)/z;pe<r&&s(l+pe*f,c+pe*d,h+pe*u)&&(r=pe,a=(v+(_===0?te+se:te))/(e-1),o=(g+(_===0?se:te+se))/(e-1))}}if(r===1/0)return null;let p=v=>Math.min(1,Math.max(0,v));return{u:p(a),v:p(o),distance:r}}var _v=64;function lp(i,e,t,n,s,r){let a=i.getContext("2d");a.setTransform(n,0,0,n,0,0),a.clearRect(0,0,i.width,i.height);let o=dt[s],l=o?o.colour==="classes"?Di(s):Ni(o):[],c=u=>o?u-u!==0?is:o.colour==="classes"||!r?l[u]??is:l[Math.round(255*Math.min(1,Math.max(0,(u-r.low)/(r.high-r.low))))]:Hs,{right:h,up:f,towards:d}=t.axes();for(let u of e){let p=t.span/Math.min(1,u.width/u.height),v=u.height/(2*p),g=[];for(let{mesh:m}of u.pieces){let _=m.side,E=m.position,M=Math.max(1,Math.ceil((_-1)/_v)),A=x=>{let S=[E[3*x]-t.target.x,E[3*x+1]-t.target.y,E[3*x+2]-t.target.z],F=P=>S[0]*P.x+S[1]*P.y+S[2]*P.z;return[u.x+u.width/2+v*F(h),u.y+u.height/2-v*F(f),F(d)]},w=Array.from({length:Math.ceil((_-1)/M)},(x,S)=>S*M);for(let x of w)for(let S of w){let F=Math.min(_-1,x+M),P=Math.min(_-1,S+M),[N,B,q,I]=[A(x*_+S),A(F*_+S),A(F*_+P),A(x*_+P)],G=(x+F>>1)*_+(S+P>>1),X=m.grid.planes,z=m.grid.stride,ee=Math.abs(X[3*z+G]*d.x+X[4*z+G]*d.y+X[5*z+G]*d.z);g.push({depth:N[2]+B[2]+q[2]+I[2],corners:[N[0],N[1],B[0],B[1],q[0],q[1],I[0],I[1]],colour:c(m.values[G]??NaN),lit:ee||.5})}}a.save(),a.beginPath(),a.rect(u.x,u.y,u.width,u.height),a.clip();for(let m of g.sort((_,E)=>_.depth-E.depth)){let _=.68+.32*m.lit;a.fillStyle=a.strokeStyle=Nn(m.colour.map(E=>Math.round(E*_))),a.beginPath(),a.moveTo(m.corners[0],m.corners[1]);for(let E=2;E<8;E+=2)a.lineTo(m.corners[E],m.corners[E+1]);a.closePath(),a.fill(),a.stroke()}a.restore()}}var Mh=class{mesh=new Ll;overlays=new _l;patch=null;surface=null;side=0;frame=null;quantity="";settings=null},wh=class{scene=new wr;pieces=[];x=0;y=0;width=1;height=1;resizePieces(e){for(;this.pieces.length>e;){let t=this.pieces.pop();this.scene.remove(t.mesh.mesh,t.overlays.group),t.mesh.dispose(),t.overlays.dispose()}for(;this.pieces.length<e;){let t=new Mh;this.pieces.push(t),this.scene.add(t.mesh.mesh,t.overlays.group)}}},Nl=class{constructor(e){this.canvas=e;let t=e.getContext("webgl2",{antialias:!0,alpha:!0,powerPreference:"high-performance"});this.renderer=t&&new fl({canvas:e,context:t}),this.renderer?.setClearColor(0,0),this.renderer&&(this.renderer.autoClear=!1)}canvas;orbit=new Il;cells=[];renderer;range=null;quantity="none";width=1;height=1;ratio=1;get works(){return this.renderer!==null}resize(e,t,n){this.width=Math.max(1,e),this.height=Math.max(1,t),this.ratio=n,this.renderer?(this.renderer.setPixelRatio(n),this.renderer.setSize(this.width,this.height,!1)):(this.canvas.width=this.width*n,this.canvas.height=this.height*n),this.arrange()}layout(e){for(;this.cells.length>e;)this.cells.pop().resizePieces(0);for(;this.cells.length<e;)this.cells.push(new wh);this.arrange()}arrange(){let e=this.cells.length>4?3:this.cells.length>1?2:1,t=Math.ceil(this.cells.length/e);this.cells.forEach((n,s)=>{n.width=this.width/e,n.height=this.height/t,n.x=s%e*n.width,n.y=Math.floor(s/e)*n.height;for(let r of n.pieces)r.overlays.resize(n.width*this.ratio,n.height*this.ratio,this.ratio)})}style(e,t,n,s,r){let a=bv(e);this.range=t,this.quantity=e.quantity;let o=bl(e,s);for(let l of this.cells)l.pieces.forEach((c,h)=>{let f=c.mesh.material.uniforms;Sh(f.front.value,Ml),Sh(f.back.value,Hs),Sh(f.undefinedColour.value,is),t&&f.range.value.set(t.low,t.high),f.contour.value=t&&e.contours?(t.high-t.low)/10:0,f.stripes.value=["none","zebra","isophotes","reflection","highlight"].indexOf(e.stripes),f.density.value=e.density,f.light.value.copy(a),f.curves.value=e.wireframe?30:e.curves?10:0,f.cut.value.set(...o),f.clipped.value=e.section&&e.clip,f.wire.value=e.wireframe,f.shade.value=e.stripes==="none"?1:.6,f.faded.value=(l.pieces.length>1&&h!==r,0),c.overlays.theme(n),c.overlays.resize(l.width*this.ratio,l.height*this.ratio,this.ratio)});this.orbit.projection=e.projection}draw(){let{renderer:e}=this;if(!e)return lp(this.canvas,this.cells,this.orbit,this.ratio,this.quantity,this.range);e.setScissorTest(!1),e.setViewport(0,0,this.width,this.height),e.clear(),e.setScissorTest(!0);let t=this.orbit.axes().towards;for(let n of this.cells){let s=this.height-n.y-n.height;e.setViewport(n.x,s,n.width,n.height),e.setScissor(n.x,s,n.width,n.height);for(let r of n.pieces)r.mesh.material.uniforms.towards.value.copy(t);e.render(n.scene,this.orbit.camera(n.width/n.height))}}cellAt(e,t){return this.cells.findIndex(n=>e>=n.x&&e<n.x+n.width&&t>=n.y&&t<n.y+n.height)}ray(e,t,n){let s=this.cells[e],r=this.orbit.camera(s.width/s.height),a=(t-s.x)/s.width*2-1,o=1-(n-s.y)/s.height*2,l=new O(a,o,-1).unproject(r),h=new O(a,o,1).unproject(r).sub(l).normalize();return{origin:[l.x,l.y,l.z],direction:[h.x,h.y,h.z]}}project(e,t){let n=this.cells[e],s=new O(t[0],t[1],t[2]).project(this.orbit.camera(n.width/n.height));return{x:n.x+(s.x+1)*.5*n.width,y:n.y+(1-s.y)*.5*n.height,depth:s.z}}pick(e,t,n,s){let r=this.cellAt(e,t);if(r<0)return null;let{origin:a,direction:o}=this.ray(r,e,t),[l,c,h,f]=bl(n,s),d=n.section&&n.clip,u=null;return this.cells[r].pieces.forEach((p,v)=>{let g=p.mesh.side,m=g>1?op(p.mesh.position,g,a,o,(_,E,M)=>!d||l*_+c*E+h*M<=f):null;m&&(!u||m.distance<u.distance)&&(u={...m,cell:r,piece:v})}),u}view(e,t){let[n,s]=Pl[e];this.orbit.go(n,s,this.orbit.span,this.orbit.target,t)}fit(e){this.orbit.go(this.orbit.azimuth,this.orbit.elevation,1.02,new O,e)}async picture(e,t,n){let s={width:this.width,height:this.height,ratio:this.ratio};this.renderer?.setClearColor(n?new Be().setStyle(n,"srgb-linear"):0,n?1:0),this.resize(e,t,1),this.draw();let r=document.createElement("canvas");return r.width=e,r.height=t,r.getContext("2d").drawImage(this.canvas,0,0),this.renderer?.setClearColor(0,0),this.resize(s.width,s.height,s.ratio),this.draw(),r}finish(){let e=this.renderer?.getContext();e?.readPixels(0,0,1,1,e.RGBA,e.UNSIGNED_BYTE,new Uint8Array(4))}dispose(){this.layout(0),this.renderer?.dispose()}};function bv(i){let e=i.lightAzimuth*Math.PI/180,t=i.lightElevation*Math.PI/180;return new O(Math.cos(t)*Math.cos(e),Math.cos(t)*Math.sin(e),Math.sin(t))}function Sh(i,e){i.copy(ap(e))}var cp="quintrig:draft:",Dl=class{constructor(e){this.place=e;let t=Math.random().toString(36).slice(2,10);this.key=`${cp}${e}:${t}`,navigator.locks?.request(this.key,()=>new Promise(()=>{})).catch(()=>{})}place;key;keep(e){try{e?localStorage.setItem(this.key,JSON.stringify({when:Date.now(),model:Tn(e)})):localStorage.removeItem(this.key)}catch{}}async left(){let e=new Set((await navigator.locks?.query().catch(()=>null))?.held?.map(n=>n.name)??[]),t=null;for(let n of Sv())if(!(!n.startsWith(`${cp}${this.place}:`)||n===this.key||e.has(n)))try{let{when:s,model:r}=JSON.parse(localStorage.getItem(n));(!t||s>t.when)&&(t={key:n,when:s,model:Wt(r)})}catch{localStorage.removeItem(n)}return t}async forget(){for(let e=await this.left();e;e=await this.left())localStorage.removeItem(e.key)}};function Sv(){try{return Object.keys(localStorage)}catch{return[]}}var Mv=16*2**20,Fl=class{constructor(e,t,n,s,r){this.store=e;this.host=t;this.root=n;this.draw=s;this.size=r;this.look()}store;host;root;draw;size;known=[];formats=[];async look(){try{[this.known,this.formats]=await Promise.all([this.host.list(),this.host.formats()])}catch{this.known=[]}}openItems(){let e=this.known.map(t=>({label:t,act:()=>{this.load(t)}}));return[{label:"From this computer …",hint:"or drop a file on the picture",act:()=>this.choose()},...e.length?["In the folder",...e]:[]]}saveItems(){let{model:e,source:t}=this.store.state;return[...this.host.kind==="live"?[{label:t?`Save ${t.name}`:"Save …",hint:"Ctrl S",act:()=>{this.save()}},{label:"Save as …",act:()=>{this.saveAs()}}]:[],{label:"Download TOML",act:()=>jn(`${Fn(e.name)}.toml`,ls(e))},{label:"Download JSON",act:()=>jn(`${Fn(e.name)}.json`,`${JSON.stringify(Tn(e),null,1)}
+`,"application/json")}]}exportItems(){return this.host.kind!=="live"?[{label:"Exports need the live studio",hint:"quintrig view MODEL",disabled:!0,act:()=>{}}]:this.formats.length?["Export as",...this.formats.map(e=>({label:e.label,hint:`.${e.suffix}`,act:()=>{this.guard(()=>this.host.export(this.store.state.model,e))}}))]:[{label:"No exporter is installed",hint:"pip install 'quintrig[cad]'",disabled:!0,act:()=>{}}]}async start(e){await this.leave()&&this.store.open(e,null)}async load(e){await this.leave()&&await this.guard(async()=>{let{model:t,source:n}=await this.host.load(e);this.store.open(t,n)})}choose(){let e=R("input",{type:"file",accept:".toml,.json"});e.addEventListener("change",()=>{let t=e.files?.[0];t&&this.take(t)}),e.click()}async take(e){await this.guard(async()=>{if(e.size>Mv)throw new Error(`${e.name}: expected at most 16 MB, found ${Math.round(e.size/2**20)} MB; is this a model?`);let t=await this.host.read(e.name,await e.text());await this.leave()&&this.store.open(t,null)})}async save(){let{source:e}=this.store.state;e?await this.write(e.name,e.tag):await this.saveAs()}async saveAs(){let e=this.host.kind==="live"?await Kf(this.root(),"Save as",`${Fn(this.store.state.model.name)}.toml`):this.store.state.model.name;e&&await this.write(e,"")}async picture(){let[e,t]=this.size(),n=await jf(this.root(),2*e,2*t);if(!n)return;(await this.draw(n)).toBlob(r=>r&&jn(`${Fn(this.store.state.model.name)}.png`,r),"image/png")}async write(e,t){let{model:n}=this.store.state;try{let s=await this.host.save(e,n,t);this.store.set({saved:n,source:s??this.store.state.source,message:{kind:"note",text:s?`Saved ${s.name}`:"Downloaded"}}),this.look()}catch(s){if(!(s instanceof ir))return this.fail(s);let r=await Gs(this.root(),"The file is another one now",[R("p",{},s.message)],[["other","Save under another name"],["over","Overwrite it"],["cancel","Cancel"]]);r==="over"&&await this.write(e,null),r==="other"&&await this.saveAs()}}async leave(){let{model:e,saved:t}=this.store.state;return e===t?!0:await Gs(this.root(),"Leave this model?",[R("p",{},`The changes to “${e.name}” are not saved.`)],[["stay","Go on working"],["leave","Leave them"]])==="leave"}async guard(e){try{await e()}catch(t){this.fail(t)}}fail(e){this.store.set({message:{kind:"error",text:e.message}})}};var wv={1:"iso",2:"top",3:"side",4:"back"},Av={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]};function hp(i,e){let{store:t,stage:n}=e,{settings:s}=t.state,r=i.composedPath()[0];if(i.ctrlKey||i.metaKey){let l=i.key.toLowerCase();if(l==="s")e.files.save();else if(l==="o")e.files.choose();else{if(r.matches("input[type=text], input[type=number], textarea"))return!1;if(l==="z"&&i.shiftKey)t.redo();else if(l==="z")t.undo();else if(l==="y")t.redo();else return!1}return!0}if(i.altKey||r.matches("input:not([type=checkbox]), select, textarea, [role=radio], .knob"))return!1;let a=wv[i.key],o=Av[i.key];if(a)n.view(a,ar());else if(o)Tv(o,i.shiftKey,e);else if(i.key==="+"||i.key==="=")n.orbit.zoom(.85);else if(i.key==="-")n.orbit.zoom(1/.85);else switch(i.key.length===1?i.key.toLowerCase():i.key){case"p":t.setting({projection:s.projection==="perspective"?"orthographic":"perspective"});break;case"f":e.fit();break;case"n":t.setting({net:!s.net});break;case"i":t.setting({curves:!s.curves});break;case"w":t.setting({wireframe:!s.wireframe});break;case"z":t.setting({stripes:s.stripes==="zebra"?"none":"zebra"});break;case"c":{let l=["off","before","sets","kept"];t.set({compare:l[(l.indexOf(t.state.compare)+1)%l.length]});break}case"[":case"]":Ev(t,i.key==="]"?1:-1);break;case"Escape":t.set({selected:null,message:null});break;case"?":e.help();break;case"Enter":{if(!r.matches("canvas"))return!1;let l=n.cells[0],c=n.pick(l.x+l.width/2,l.y+l.height/2,s,e.frame());c&&t.set({pins:[...t.state.pins,{patch:c.piece,u:Math.round(c.u*1e4)/1e4,v:Math.round(c.v*1e4)/1e4}]});break}default:return!1}return e.redraw(),!0}function Tv([i,e],t,n){let{store:s,stage:r}=n;if(!s.state.selected){t?r.orbit.pan(-.03*i,.03*e):r.orbit.turn(-12*i,-12*e);return}let a=r.orbit.axes(),o=i?a.right:a.up,l=i||e,c=[o.x,o.y,o.z],h=c.map(Math.abs).indexOf(Math.max(...c.map(Math.abs))),f=s.state.settings.snapStep*(t?10:1)*l*Math.sign(c[h]);Zf(s,[0,1,2].map(d=>d===h?f:0)),s.settle()}function Ev(i,e){let t=It(i.state),n=Qn(t,Kt(t)).filter(r=>!r.mirrored);if(!n.length)return;let s=n.findIndex(r=>r.id===i.state.selected);i.set({selected:n[(s+e+n.length)%n.length].id})}var Cv=9,Ws=class{constructor(e,t,n){this.container=e;this.host=t;let s={...Yu(),...n.quantity?{quantity:n.quantity}:{}};this.store=new fa({model:n.model,saved:n.model,source:n.source,patch:0,selected:null,settings:s,compare:"off",kept:[],pins:[],hover:null,canUndo:!1,canRedo:!1,moving:!1,message:null});let{store:r}=this;this.stage=new Nl(this.canvas),this.files=new Fl(r,t,()=>this.root,o=>this.picture(o),()=>[this.centre.clientWidth,this.centre.clientHeight]),this.bar=new Cl(r,this.files,()=>this.switchTheme(),()=>{gh(this.root)},t.kind!=="live"),this.model=new Tl(r),this.inspector=new Sl(r),this.probe=new va(r,()=>this.plan()),this.status=new El(r),this.hud=new _a(r,this.stage,{fit:()=>this.fit(),redraw:()=>this.plan()}),this.centre.append(this.hud.element,this.legend.element),this.root=R("div",{class:`studio ${t.kind}`},this.bar.element,this.model.element,R("main",{class:"centre"},this.status.banner,this.centre,this.probe.element),this.inspector.element,this.status.element),e.append(this.root),this.drafts=new Dl(t.place),Ku(this.canvas,{store:r,stage:this.stage,frame:()=>this.frame,editable:o=>this.shown()[o]?.editable??!1,redraw:()=>this.plan()}),this.root.addEventListener("keydown",o=>{hp(o,{store:r,stage:this.stage,files:this.files,frame:()=>this.frame,fit:()=>this.fit(),redraw:()=>this.plan(),help:()=>{gh(this.root)}})&&o.preventDefault()}),this.receiveFiles(),new ResizeObserver(()=>this.resize()).observe(this.centre),matchMedia("(prefers-color-scheme: dark)").addEventListener("change",()=>this.plan(!0)),r.subscribe((o,l)=>this.changed(o,l,n)),this.stage.works||this.status.warn("This browser has no WebGL: you see still pictures. Everything else works."),this.resize(),this.plan(!0),this.offerDraft()}container;host;store;root;stage;canvas=R("canvas",{class:"view",tabindex:0,role:"application","aria-label":"The surface. Arrow keys turn it; ? lists all keys."});centre=R("div",{class:"picture"},this.canvas);legend=new Al;hud;bar;inspector;model;probe;status;files;drafts;frame=Gu;range=null;sharp=[];planned=0;dark=!1;stale=!0;coarse=75;cost=0;refit=!0;draftTimer=0;changed(e,t,n){e.model!==t.model&&(n.onModel?.(e.model),e.saved===e.model?this.keepDraft(0):this.keepDraft(400),(e.model.patches.some((r,a)=>r.kind!==t.model.patches[a]?.kind)||e.model.patches.length!==t.model.patches.length)&&(this.refit=!0)),e.saved!==t.saved&&this.keepDraft(0),e.saved!==t.saved&&e.source?.name!==t.source?.name&&(this.refit=e.canUndo?this.refit:!0);let s=t.compare!==e.compare;e.hover!==t.hover&&e.model===t.model&&e.settings===t.settings&&this.hud.refresh(e,this.frame,this.sharp),(e.model!==t.model||e.settings!==t.settings||e.patch!==t.patch||s||e.kept!==t.kept||e.saved!==t.saved||e.moving!==t.moving||e.selected!==t.selected)&&this.plan(!0),(e.message!==t.message||e.pins!==t.pins)&&this.plan()}plan(e=!1){this.stale||=e,this.planned||=requestAnimationFrame(t=>{this.planned=0,this.show(t)})}show(e){let t=this.stage.orbit.step(e),n=performance.now();this.stale&&(this.stale=!1,this.work());let s=performance.now();this.stage.draw(),this.hud.refresh(this.store.state,this.frame,this.sharp),this.root.dispatchEvent(new CustomEvent("drawn",{detail:{evaluated:s-n,drawn:performance.now()-s}})),t&&this.plan()}work(){let{state:e}=this.store,{settings:t}=e;this.dark=t.theme==="dark"||t.theme==="auto"&&matchMedia("(prefers-color-scheme: dark)").matches,this.root.dataset.theme=this.dark?"dark":"light";let n=this.shown();this.stage.layout(n.length);let s=e.moving?Math.min(t.resolution,this.coarse):t.resolution;this.refit&&this.reframe(n);let r=performance.now(),a=0;n.forEach(({model:c},h)=>{let f=this.stage.cells[h];f.resizePieces(c.patches.length),c.patches.forEach((d,u)=>a+=this.evaluate(f.pieces[u],d,s,t))}),a&&this.pace(performance.now()-r,a,t.resolution);let o=this.stage.cells.flatMap(c=>c.pieces.map(h=>h.mesh)),l=dt[t.quantity];this.range=l&&l.colour!=="classes"?tp(o,l,t):null,l?this.range?this.legend.real(l.key,this.range,e.model.unit,this.dark):this.legend.classes(l.key,o.map(c=>c.values)):this.legend.plain(),this.stage.style(t,this.range,this.dark,this.frame,e.patch),n.forEach(({editable:c},h)=>this.decorate(this.stage.cells[h],e,c)),this.sharp=t.minRadius&&!e.moving?this.sharpestOf(n):[],this.bar.refresh(e),this.inspector.refresh(e,this.dark),this.model.refresh(e),this.hud.labels(n.map(c=>c.label)),this.status.refresh(e,{side:s,cost:this.cost,singular:o.reduce((c,h)=>c+h.singular,0),points:o.reduce((c,h)=>c+h.grid.count,0),sharp:this.sharp[0]?.at??null,warning:this.warning(e)})}evaluate(e,t,n,s){let r=e.patch===t&&e.side===n&&e.frame===this.frame;if(r&&e.quantity!==s.quantity&&e.mesh.paint(s.quantity),e.quantity=s.quantity,r)return 0;try{e.patch!==t&&(e.surface=Kt(t))}catch(a){return this.status.warn(a.message),0}return e.patch=t,e.side=n,e.frame=this.frame,e.settings=null,e.mesh.update(e.surface,n,s.quantity,this.frame),n*n}decorate(e,t,n){e.pieces.forEach((s,r)=>{if(!s.surface||!s.patch)return;s.settings!==t.settings&&s.overlays.update(s.mesh,t.settings,this.frame),s.settings=t.settings;let a=t.settings.net,o=a&&n&&r===t.patch?Qn(s.patch,s.surface):[];s.overlays.net(a?Hu(s.patch,s.surface):[],o,t.selected,this.frame)})}pace(e,t,n){this.cost=e;let s=e/t,r=Math.max(1,this.stage.cells.reduce((o,l)=>o+l.pieces.length,0)),a=Math.sqrt(Cv/s/r);this.coarse=a>=n?n:Math.max(36,Math.min(n,Math.round(a)))}shown(){let{model:e,saved:t,compare:n,kept:s,patch:r}=this.store.state,a={label:"",model:e,editable:!0};if(n==="before")return[{label:"before",model:t,editable:!1},{...a,label:"now"}];if(n==="kept"&&s.length)return[{...a,label:"now"},...s.map(c=>({...c,editable:!1}))];let o=Kn(e.patches[r]).length,l=ma(o);if(n==="sets"&&l.length){let c=(h,f)=>Kn(h).length!==o||String(Kn(h))===String(f);return l.map(h=>{let f=e.patches.every(d=>c(d,h));return{label:`(${h.join(", ").replaceAll("-","−")})`,model:f?e:this.withShape(e,h,o),editable:!0}})}return[a]}shaped=new WeakMap;withShape(e,t,n){return{...e,patches:e.patches.map(s=>{if(Kn(s).length!==n)return s;let r=this.shaped.get(s)??new Map;this.shaped.set(s,r);let a=r.get(String(t))??{...s,shape:t};return r.set(String(t),a),a})}}reframe(e){this.refit=!1;let t=[1/0,1/0,1/0],n=[-1/0,-1/0,-1/0];for(let{model:o}of e)for(let l of o.patches){let c=Rv(l);if(c)for(let h=0;h<3;h++)t[h]=Math.min(t[h],c.low[h]),n[h]=Math.max(n[h],c.high[h])}if(!(t[0]<=n[0]))return;this.frame=Wu(t,n);let s={x:0,y:1,z:2}[this.store.state.settings.sectionAxis];this.inspector.sectionRange(Math.min(...t),Math.max(...n));let r=this.store.state.settings.sectionAt;r>=t[s]&&r<=n[s]||this.store.setting({sectionAt:Number(this.frame.centre[s].toPrecision(4))});let a=10**Math.round(Math.log10(Math.max(2/this.frame.scale,1e-30)/100));this.store.setting({snapStep:a}),this.stage.fit(!0)}sharpestOf(e){return e.flatMap((t,n)=>{let r=this.stage.cells[n].pieces.map(a=>a.surface?ep(a.surface,a.mesh):null).filter(a=>a!==null).sort((a,o)=>a.radius-o.radius)[0];return r?[{cell:n,at:r}]:[]})}warning(e){let t=e.model.patches[e.patch],n=this.stage.cells[0]?.pieces[e.patch];if(t.unchecked_shape===!0&&Kn(t).some(a=>a<-4||a>1))return"Shape parameters outside [−4, 1]: the convex-hull property is lost";if(t.kind!=="developable"||e.moving||!n?.surface)return"";let s=lu(n.surface);return s.length?`The edge of regression lies inside the strip for u = ${s.map(({start:a,end:o})=>`${a.toFixed(3)} to ${o.toFixed(3)}`).join(", ")}: the surface is singular there`:""}fit(){this.refit=!0,this.plan(!0)}resize(){let{clientWidth:e,clientHeight:t}=this.centre;!e||!t||(this.stage.resize(e,t,Math.min(2,devicePixelRatio||1)),this.plan(!0))}switchTheme(){this.store.setting({theme:this.dark?"light":"dark"})}async picture(e){let t=getComputedStyle(this.root),n=e.background==="white"?"#ffffff":e.background==="theme"?t.getPropertyValue("--ground-flat").trim():null,s=await this.stage.picture(e.width,e.height,n),{state:r}=this.store;return Qf(s,e,r,this.range,this.stage.cells,this.shown().map(a=>a.label),this.dark&&e.background==="theme")}receiveFiles(){this.root.addEventListener("dragover",e=>{e.preventDefault(),this.root.classList.add("receiving")}),this.root.addEventListener("dragleave",()=>this.root.classList.remove("receiving")),this.root.addEventListener("drop",e=>{e.preventDefault(),this.root.classList.remove("receiving");let t=e.dataTransfer?.files[0];t&&this.files.take(t)})}keepDraft(e){clearTimeout(this.draftTimer);let t=()=>{let{model:n,saved:s}=this.store.state;this.drafts.keep(n===s?null:n)};e?this.draftTimer=window.setTimeout(t,e):t()}async offerDraft(){if(window.addEventListener("pagehide",()=>this.keepDraft(0)),this.host.kind==="notebook")return;let e=await this.drafts.left();if(!e)return;let t=new Date(e.when).toLocaleString([],{dateStyle:"medium",timeStyle:"short"});this.status.offer(`Unsaved work on “${e.model.name}” from ${t} was kept.`,"Restore it",()=>{this.drafts.forget(),this.refit=!0,this.store.edit(e.model)},"Discard",()=>{this.drafts.forget()})}receive(e){this.store.open(e,null)}dispose(){cancelAnimationFrame(this.planned),this.stage.dispose(),this.container.replaceChildren()}};function Rv(i){try{return ia(Kt(i))}catch{return null}}var up=`/* One sheet for the whole studio, inside a shadow root. Lengths in px; colours as variables, one set a theme. */
+:host { all: initial; display: block; height: 100%; contain: content; }
+.place { height: 100%; container-type: inline-size; }
+* { box-sizing: border-box; }
+[hidden] { display: none !important; }
+
+.studio {
+  --accent: #0f6e84; --accent-soft: #d9edf1; --accent-ink: #ffffff;
+  --ink: #1b222b; --ink-2: #55606e; --ink-3: #626d7a;
+  --panel: #fbfbfa; --line: #dfe2e4; --line-2: #c3c9ce; --field: #ffffff; --hover: #eef1f2;
+  --ground: radial-gradient(120% 90% at 50% 32%, #ffffff 0%, #f2f4f5 58%, #e3e7ea 100%); --ground-flat: #f4f6f7;
+  --glass: rgb(255 255 255 / 82%); --shadow: 0 1px 2px rgb(20 30 40 / 8%), 0 6px 24px rgb(20 30 40 / 10%);
+  --warn: #8a4b00; --warn-soft: #fdf0dc; --error: #a51d2d; --error-soft: #fbe5e7;
+  --x: #b3261e; --y: #1b7f3b; --z: #2456b8;
+  display: grid; grid-template: "bar bar bar" 46px "left centre right" minmax(0, 1fr) "status status status" 26px / 236px minmax(0, 1fr) 296px;
+  height: 100%; color: var(--ink); background: var(--panel);
+  font: 12.5px/1.45 Inter, "Segoe UI", "Helvetica Neue", Arial, system-ui, sans-serif; font-variant-numeric: tabular-nums;
+  -webkit-font-smoothing: antialiased; position: relative; overflow: hidden; accent-color: var(--accent);
+}
+.studio[data-theme="dark"] {
+  --accent: #4fb8cf; --accent-soft: #17414c; --accent-ink: #06222a;
+  --ink: #e6eaee; --ink-2: #a9b3be; --ink-3: #95a0ac;
+  --panel: #1a1f25; --line: #2c333b; --line-2: #46505b; --field: #12161b; --hover: #262d35;
+  --ground: radial-gradient(120% 90% at 50% 32%, #333c46 0%, #222931 55%, #161b20 100%); --ground-flat: #262d35;
+  --glass: rgb(26 31 37 / 82%); --shadow: 0 1px 2px rgb(0 0 0 / 40%), 0 8px 28px rgb(0 0 0 / 35%);
+  --warn: #ffc474; --warn-soft: #3d2c12; --error: #ff9aa5; --error-soft: #43191f;
+  --x: #ff8a80; --y: #7ddf9b; --z: #8fb4ff;
+  color-scheme: dark;
+}
+.studio :focus-visible { outline: 2px solid var(--accent); outline-offset: 1px; }
+.studio.receiving::after { content: "Drop a model file (.toml or .json)"; position: absolute; inset: 8px; display: grid; place-items: center; font-size: 18px; border: 2px dashed var(--accent); border-radius: 10px; background: var(--glass); z-index: 30; }
+button, input, select { font: inherit; color: inherit; }
+.spacer { flex: 1; }
+.hint { margin: 0; color: var(--ink-3); font-size: 11.5px; }
+.caption { color: var(--ink-2); }
+.icon { width: 16px; height: 16px; fill: none; stroke: currentcolor; stroke-width: 1.4; stroke-linecap: round; stroke-linejoin: round; flex: none; }
+.math { font-family: "STIX Two Text", "Cambria Math", Cambria, "Liberation Serif", "Times New Roman", serif; font-size: 1.12em; white-space: nowrap; }
+.math .roman { font-style: normal; }
+.math sub, .math sup { font-size: 0.68em; line-height: 0; font-style: normal; }
+.unit { color: var(--ink-3); font-size: 0.88em; margin-left: 0.35em; font-weight: 400; }
+
+/* Bar */
+.bar { grid-area: bar; display: flex; align-items: center; gap: 8px; padding: 0 10px 0 12px; border-bottom: 1px solid var(--line); background: var(--panel); z-index: 6; min-width: 0; }
+.brand { display: flex; align-items: center; gap: 7px; font-weight: 650; letter-spacing: -0.01em; font-size: 14px; padding-right: 10px; margin-right: 2px; border-right: 1px solid var(--line); height: 22px; }
+.mark-icon { width: 20px; height: 20px; color: var(--accent); stroke-width: 1.2; }
+.name { border: 1px solid transparent; background: none; font-weight: 600; padding: 4px 6px; border-radius: 6px; min-width: 60px; text-overflow: ellipsis; }
+.name:hover { border-color: var(--line-2); }
+.name:focus { background: var(--field); border-color: var(--accent); outline: none; }
+.dirty { width: 8px; height: 8px; border-radius: 50%; background: #e08a1e; margin-left: -6px; flex: none; }
+.group { display: flex; align-items: center; gap: 4px; }
+.group.tight { gap: 2px; }
+.button { display: inline-flex; align-items: center; justify-content: center; gap: 6px; height: 28px; padding: 0 9px; border: 1px solid transparent; border-radius: 6px; background: none; cursor: pointer; white-space: nowrap; }
+.button > span { display: inline-flex; align-items: center; gap: 5px; }
+.button .icon:last-child:not(:first-child) { width: 12px; height: 12px; opacity: 0.7; }
+.button:hover:not(:disabled), .menu-item:hover:not(:disabled) { background: var(--hover); }
+.button:disabled { opacity: 0.35; cursor: default; }
+.button.square { width: 30px; padding: 0; }
+.button.quiet { color: var(--accent); }
+.button.primary { background: var(--accent); color: var(--accent-ink); font-weight: 600; }
+.button.primary:hover { filter: brightness(1.08); background: var(--accent); }
+.tiny { border: 0; background: none; padding: 2px; border-radius: 4px; cursor: pointer; display: inline-flex; color: var(--ink-3); }
+.tiny:hover { background: var(--hover); color: var(--ink); }
+.tiny .icon { width: 12px; height: 12px; }
+.menu-box { position: relative; }
+.menu { position: absolute; top: 32px; left: 0; min-width: 220px; max-width: 340px; max-height: min(70vh, 520px); overflow: auto; padding: 5px; background: var(--panel); border: 1px solid var(--line); border-radius: 9px; box-shadow: var(--shadow); z-index: 20; }
+.menu.to-left { left: auto; right: 0; }
+.menu-title { padding: 7px 9px 3px; font-size: 11px; color: var(--ink-3); font-weight: 600; }
+.menu-item { display: flex; width: 100%; justify-content: space-between; gap: 16px; align-items: baseline; padding: 5px 9px; border: 0; background: none; border-radius: 5px; text-align: left; cursor: pointer; }
+.menu-item small { color: var(--ink-3); text-align: right; }
+.menu-item:disabled { color: var(--ink-3); cursor: default; }
+.segmented { display: inline-flex; background: var(--hover); border-radius: 7px; padding: 2px; max-width: 100%; }
+.segment { border: 0; background: none; height: 24px; padding: 0 9px; border-radius: 5px; cursor: pointer; color: var(--ink-2); white-space: nowrap; flex: 1 1 auto; }
+.segment:hover { color: var(--ink); }
+.segment[aria-checked="true"] { background: var(--field); color: var(--ink); box-shadow: 0 1px 2px rgb(0 0 0 / 16%); font-weight: 550; }
+
+/* Panels */
+.panel { overflow: hidden auto; background: var(--panel); scrollbar-width: thin; scrollbar-color: var(--line-2) transparent; }
+.left { grid-area: left; border-right: 1px solid var(--line); }
+.right { grid-area: right; border-left: 1px solid var(--line); }
+.panel > .stack { padding: 10px 12px 12px; }
+.stack { display: flex; flex-direction: column; gap: 8px; min-width: 0; }
+.section { border-top: 1px solid var(--line); }
+.right .section:first-child, .left .section:first-child { border-top: 0; }
+.section > summary { list-style: none; cursor: pointer; padding: 9px 12px 7px; font-weight: 620; display: flex; align-items: center; justify-content: space-between; }
+.section > summary::-webkit-details-marker { display: none; }
+.section > summary::after { content: ""; width: 6px; height: 6px; border: solid var(--ink-3); border-width: 0 1.4px 1.4px 0; transform: rotate(45deg) translate(-2px, -2px); transition: transform 120ms; }
+.section:not([open]) > summary::after { transform: rotate(-45deg); }
+.section-body { padding: 0 12px 12px; display: flex; flex-direction: column; gap: 8px; }
+.row { display: flex; align-items: center; justify-content: space-between; gap: 8px; }
+.row > select { width: 140px; }
+.row.basis { flex-direction: column; align-items: stretch; gap: 4px; }
+select { height: 28px; border: 1px solid var(--line-2); border-radius: 6px; background: var(--field); padding: 0 6px; width: 100%; min-width: 0; }
+.number, dialog input[type="text"] { height: 26px; border: 1px solid var(--line-2); border-radius: 6px; background: var(--field); padding: 0 6px; width: 100%; min-width: 0; text-align: right; appearance: textfield; }
+.number::-webkit-inner-spin-button { display: none; }
+.number.wrong { border-color: var(--error); background: var(--error-soft); }
+.number:disabled { opacity: 0.4; }
+.field { display: flex; align-items: center; gap: 7px; min-width: 0; }
+.field > span:empty { display: none; }
+.shape .field > span { flex: 1; }
+.shape .field .number { width: 96px; }
+.pair { display: grid; grid-template-columns: 1fr 1fr; gap: 10px; }
+.subtitle { color: var(--ink-3); font-size: 11.5px; margin-top: 2px; }
+.shape { display: flex; flex-direction: column; gap: 6px; }
+.toggle { display: flex; align-items: center; gap: 7px; cursor: pointer; min-height: 24px; }
+.toggle > span:nth-child(2) { flex: 1; white-space: nowrap; }
+.switch { appearance: none; width: 26px; height: 15px; margin: 0; border-radius: 8px; background: var(--line-2); position: relative; cursor: pointer; flex: none; transition: background 120ms; }
+.switch::after { content: ""; position: absolute; inset: 2px auto 2px 2px; width: 11px; border-radius: 50%; background: #fff; transition: transform 120ms; box-shadow: 0 1px 1px rgb(0 0 0 / 25%); }
+.switch:checked { background: var(--accent); }
+.switch:checked::after { transform: translateX(11px); }
+.switches { display: grid; grid-template-columns: 1fr 1fr; gap: 2px 12px; }
+.keys { display: inline-flex; gap: 3px; }
+.key { width: 12px; height: 3px; border-radius: 2px; }
+
+.slider { display: grid; grid-template-columns: 26px minmax(0, 1fr) 62px; align-items: center; gap: 8px; }
+.slider > .symbol { font-size: 14px; white-space: nowrap; }
+.section-body > .slider > .symbol, .light .symbol { font-size: 12px; color: var(--ink-2); }
+.section-body > .slider, .light .slider { grid-template-columns: 38px minmax(0, 1fr) 54px; }
+.range { position: relative; height: 30px; }
+.range input { position: absolute; inset: 0 0 10px; width: 100%; margin: 0; background: none; appearance: none; cursor: pointer; height: 20px; }
+.track { position: absolute; left: 0; right: 0; top: 8px; height: 4px; border-radius: 2px; background: linear-gradient(to right, var(--accent) var(--share, 0%), var(--line-2) var(--share, 0%)); opacity: 0.85; }
+.range input::-webkit-slider-thumb { appearance: none; width: 14px; height: 14px; border-radius: 50%; background: var(--field); border: 2px solid var(--accent); box-shadow: 0 1px 3px rgb(0 0 0 / 22%); }
+.range input::-moz-range-thumb { width: 11px; height: 11px; border-radius: 50%; background: var(--field); border: 2px solid var(--accent); }
+.range input:focus-visible { outline: none; }
+.range input:focus-visible::-webkit-slider-thumb { outline: 2px solid var(--accent); outline-offset: 2px; }
+.range input:focus-visible::-moz-range-thumb { outline: 2px solid var(--accent); outline-offset: 2px; }
+.marks { position: absolute; left: 7px; right: 7px; top: 16px; height: 13px; pointer-events: none; }
+.mark { position: absolute; transform: translateX(-50%); font-size: 9.5px; color: var(--ink-3); line-height: 1; padding-top: 4px; }
+.mark::before { content: ""; position: absolute; top: 0; left: 50%; width: 1px; height: 3px; background: var(--line-2); }
+.chips { display: flex; flex-wrap: wrap; gap: 4px; }
+.chip { border: 1px solid var(--line-2); background: var(--field); border-radius: 12px; height: 23px; padding: 0 8px; font-size: 11.5px; cursor: pointer; color: var(--ink-2); }
+.chip:hover { border-color: var(--accent); color: var(--ink); }
+.chip[aria-pressed="true"] { background: var(--accent-soft); border-color: var(--accent); color: var(--ink); }
+.light { display: grid; grid-template-columns: 58px minmax(0, 1fr); gap: 10px; align-items: center; }
+.light .stack { gap: 2px; }
+.light-ball { width: 58px; height: 58px; border-radius: 50%; position: relative; cursor: crosshair; touch-action: none; background: radial-gradient(circle at 50% 50%, var(--field), var(--hover)); border: 1px solid var(--line-2); }
+.light-ball span { position: absolute; width: 12px; height: 12px; margin: -6px; border-radius: 50%; background: #ffb300; border: 2px solid #fff; box-shadow: 0 0 6px rgb(255 170 0 / 70%); }
+.light-ball span.under { background: #94836a; box-shadow: none; }
+
+/* Left panel */
+.patches { display: flex; flex-direction: column; gap: 1px; padding: 8px; border-bottom: 1px solid var(--line); max-height: 168px; overflow: auto; }
+.patch { display: flex; justify-content: space-between; gap: 8px; border: 0; background: none; border-radius: 6px; padding: 5px 8px; text-align: left; cursor: pointer; }
+.patch span { overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
+.patch small { color: var(--ink-3); }
+.patch:hover { background: var(--hover); }
+.patch[aria-selected="true"] { background: var(--accent-soft); font-weight: 600; }
+.points { display: flex; flex-direction: column; gap: 8px; min-height: 104px; }
+.points > .segmented { display: flex; }
+.net { display: grid; grid-template-columns: repeat(var(--columns), minmax(0, 1fr)); gap: 3px; padding: 7px; background: var(--hover); border-radius: 8px; }
+.knob { height: 20px; border: 0; border-radius: 5px; background: none; cursor: pointer; position: relative; padding: 0; font-size: 11px; color: var(--ink-2); }
+.knob:empty::after { content: ""; position: absolute; left: 50%; top: 50%; width: 7px; height: 7px; margin: -3.5px; border-radius: 50%; background: var(--ink-3); opacity: 0.75; }
+.knob:hover { background: var(--field); }
+.knob[aria-pressed="true"] { background: #d9620a; color: #fff; }
+.knob[aria-pressed="true"]:empty::after { background: #fff; opacity: 1; }
+.coordinates { display: grid; gap: 5px; }
+.coordinates .field i { width: 14px; display: inline-block; text-align: center; }
+.drag-tools { display: flex; flex-direction: column; gap: 4px; border-top: 1px solid var(--line); padding-top: 8px; }
+.locks { display: flex; align-items: center; gap: 10px; }
+.locks .caption { min-width: 34px; }
+.locks .toggle { gap: 4px; }
+.snap { display: flex; align-items: center; gap: 8px; }
+.snap .field { flex: 1; }
+
+/* Picture */
+.centre { grid-area: centre; display: flex; flex-direction: column; min-width: 0; min-height: 0; position: relative; }
+.picture { position: relative; flex: 1; min-height: 0; background: var(--ground); overflow: hidden; }
+.view { position: absolute; inset: 0; width: 100%; height: 100%; display: block; touch-action: none; cursor: default; }
+.view:focus-visible { outline-offset: -2px; }
+.view.grab { cursor: grab; }
+.hud { position: absolute; inset: 0; pointer-events: none; }
+.hud > * { pointer-events: none; }
+.view-tools { position: absolute; left: 10px; bottom: 10px; display: flex; gap: 1px; align-items: center; background: var(--glass); backdrop-filter: blur(6px); border-radius: 9px; padding: 3px; box-shadow: var(--shadow); pointer-events: auto !important; }
+.view-tools .button { height: 26px; padding: 0 8px; }
+.view-tools .square { width: 28px; }
+.view-tools .segmented { margin-left: 4px; }
+.view-tools .segment { height: 22px; }
+.triad { position: absolute; left: 12px; bottom: 52px; width: 62px; height: 62px; overflow: visible; }
+.triad line { stroke-width: 2; stroke-linecap: round; }
+.triad text { font: italic 12px "STIX Two Text", Cambria, "Liberation Serif", serif; text-anchor: middle; dominant-baseline: central; fill: var(--ink-2); }
+.axis-x { stroke: var(--x); } .axis-y { stroke: var(--y); } .axis-z { stroke: var(--z); }
+.cell { position: absolute; border: 0 solid var(--line); }
+.cell:nth-child(n + 2) { border-left-width: 1px; }
+.cell:nth-child(n + 3) { border-top-width: 1px; }
+.cell:nth-child(3) { border-left-width: 0; }
+.cell-label { position: absolute; left: 12px; top: 10px; background: var(--glass); border-radius: 6px; padding: 2px 8px; font-weight: 600; }
+.pin, .sharpest { position: absolute; left: 0; top: 0; width: 0; height: 0; }
+.pin b { position: absolute; transform: translate(-50%, -100%) translateY(-5px); min-width: 18px; height: 18px; padding: 0 4px; border-radius: 9px; background: var(--ink); color: var(--panel); font-size: 11px; line-height: 18px; text-align: center; }
+.pin::after { content: ""; position: absolute; left: -3px; top: -3px; width: 6px; height: 6px; border-radius: 50%; background: var(--ink); box-shadow: 0 0 0 1.5px var(--panel); }
+.sharpest::after { content: ""; position: absolute; left: -7px; top: -7px; width: 14px; height: 14px; border-radius: 50%; border: 2px solid #d0006f; box-shadow: 0 0 0 1px #fff; }
+.sharpest b { position: absolute; left: 12px; top: -11px; white-space: nowrap; background: #b00060; color: #fff; padding: 1px 7px; border-radius: 9px; font-size: 11.5px; font-weight: 600; }
+.sharpest sub { font-size: 0.75em; line-height: 0; }
+.tip { position: absolute; left: 0; top: 0; background: var(--glass); backdrop-filter: blur(8px); border-radius: 8px; box-shadow: var(--shadow); padding: 7px 10px; font-size: 12px; max-width: 260px; z-index: 3; }
+.tip-title { font-weight: 600; }
+.tip-point { color: var(--ink-2); margin-bottom: 3px; }
+.tip table { border-collapse: collapse; }
+.tip th { text-align: left; font-weight: 400; color: var(--ink-2); padding: 0 14px 0 0; }
+.tip td { text-align: right; }
+
+.legend { position: absolute; right: 10px; top: 10px; margin: 0; padding: 9px 11px 8px; background: var(--glass); backdrop-filter: blur(6px); border-radius: 10px; box-shadow: var(--shadow); max-width: 212px; font-size: 12px; pointer-events: none; }
+.legend-title { font-weight: 600; margin-bottom: 7px; line-height: 1.3; }
+.legend-symbol { display: block; font-weight: 400; }
+.scale { display: flex; height: 168px; margin: 4px 0 8px; }
+canvas.colours { width: 14px; height: 100%; border: 0; border-radius: 3px; }
+.histogram { width: 48px; height: 100%; margin-right: 2px; }
+.ticks { position: relative; flex: 1; min-width: 74px; margin-left: 7px; }
+.tick { position: absolute; transform: translateY(50%); white-space: nowrap; line-height: 1; }
+.tick::before { content: ""; position: absolute; left: -7px; top: 50%; width: 4px; height: 1px; background: var(--ink-3); }
+.legend figcaption { color: var(--ink-2); font-size: 11.5px; }
+.missing { display: flex; align-items: center; gap: 6px; }
+.types { list-style: none; margin: 0; padding: 0; display: grid; gap: 3px; }
+.types li { display: grid; grid-template-columns: 13px minmax(0, 1fr) auto; gap: 8px; align-items: center; }
+.types .absent { opacity: 0.72; color: var(--ink-3); }
+.types .share { color: var(--ink-2); padding-left: 8px; }
+.swatch { width: 13px; height: 13px; border-radius: 3px; display: inline-block; box-shadow: inset 0 0 0 1px rgb(0 0 0 / 14%); }
+
+/* Banners, probe, status, dialogs */
+.banners { position: absolute; z-index: 5; top: 10px; left: 50%; transform: translateX(-50%); display: flex; flex-direction: column; gap: 6px; align-items: center; width: max-content; max-width: min(620px, calc(100% - 24px)); }
+.banner { display: flex; align-items: center; gap: 10px; background: var(--panel); border: 1px solid var(--line); border-left: 3px solid var(--accent); border-radius: 8px; padding: 7px 8px 7px 12px; box-shadow: var(--shadow); overflow-wrap: anywhere; }
+.banner.error { border-left-color: var(--error); background: var(--error-soft); color: var(--ink); }
+.banner .primary { height: 26px; }
+.probe { border-top: 1px solid var(--line); background: var(--panel); flex: none; max-height: 42%; overflow: auto; }
+.probe > summary { cursor: pointer; display: flex; align-items: center; gap: 7px; padding: 6px 12px; font-weight: 620; position: sticky; top: 0; left: 0; background: var(--panel); z-index: 2; list-style: none; }
+.probe > summary .hint { font-weight: 400; }
+.badge:empty { display: none; }
+.badge { background: var(--accent); color: var(--accent-ink); border-radius: 9px; padding: 0 6px; font-size: 11px; }
+.probe-tools { display: flex; align-items: center; gap: 10px; padding: 0 12px 7px; position: sticky; left: 0; }
+.probe-tools .field .number { width: 68px; }
+.probe-body { overflow-x: auto; padding: 0 12px 8px; }
+.probe table { border-collapse: collapse; white-space: nowrap; }
+.probe th { text-align: right; font-weight: 500; color: var(--ink-2); padding: 3px 10px 3px 0; border-bottom: 1px solid var(--line); }
+.probe td { text-align: right; padding: 3px 10px 3px 0; border-bottom: 1px solid var(--line); }
+.probe td.word { text-align: left; }
+.pin-number { display: inline-block; min-width: 17px; height: 17px; line-height: 17px; border-radius: 9px; background: var(--ink); color: var(--panel); text-align: center; font-size: 11px; font-weight: 600; }
+.status { grid-area: status; display: flex; align-items: center; gap: 14px; padding: 0 12px; border-top: 1px solid var(--line); font-size: 11.5px; color: var(--ink-2); white-space: nowrap; overflow: hidden; }
+.status sub { font-size: 0.75em; line-height: 0; font-style: italic; }
+.status .warning { color: var(--warn); overflow: hidden; text-overflow: ellipsis; }
+.status .quiet { color: var(--ink-3); }
+dialog { border: 1px solid var(--line); border-radius: 12px; padding: 0; background: var(--panel); color: var(--ink); box-shadow: var(--shadow); width: min(460px, 90vw); font: inherit; }
+dialog::backdrop { background: rgb(15 20 26 / 38%); }
+dialog form { padding: 16px 18px 14px; display: flex; flex-direction: column; gap: 12px; }
+dialog h2 { margin: 0; font-size: 15px; font-weight: 650; }
+dialog p { margin: 0; overflow-wrap: anywhere; }
+.dialog-body { display: flex; flex-direction: column; gap: 10px; max-height: 60vh; overflow: auto; }
+.dialog-buttons { display: flex; flex-direction: row-reverse; gap: 8px; }
+.dialog-buttons .button { border-color: var(--line-2); }
+dialog input[type="text"] { text-align: left; height: 30px; }
+.field.wide { flex-direction: column; align-items: stretch; gap: 3px; }
+.keys-list { display: grid; grid-template-columns: max-content 1fr; gap: 4px 14px; margin: 0; }
+.keys-list dt { font-weight: 600; }
+.keys-list dd { margin: 0; color: var(--ink-2); }
+
+/* A report page and a notebook have less room. */
+@container (width < 1180px) { .segment { padding: 0 7px; } .studio { grid-template-columns: 208px minmax(0, 1fr) 280px; } }
+@container (width < 960px) {
+  .studio { grid-template: "bar bar" 46px "centre right" minmax(0, 1fr) "status status" 26px / minmax(0, 1fr) 272px; }
+  .left { display: none; }
+  .bar { overflow-x: auto; }
+}
+@container (width < 640px) {
+  .studio { grid-template: "bar" 46px "centre" minmax(260px, 1fr) "right" 200px "status" 26px / minmax(0, 1fr); }
+  .right { border-left: 0; border-top: 1px solid var(--line); }
+}
+@media (prefers-reduced-motion: reduce) { * { transition: none !important; } }
+`;function Ah(i){let e=i.shadowRoot??i.attachShadow({mode:"open"}),t=new CSSStyleSheet;t.replaceSync(up),e.adoptedStyleSheets=[t];let n=document.createElement("div");return n.className="place",e.replaceChildren(n),n}function Iv(i,e){let t=new sr("embedded",e.place??location.pathname);return new Ws(Ah(i),t,{model:Wt(e.model),source:null,...e.quantity?{quantity:e.quantity}:{}})}async function Lv(i,e){let t=new oa(e);location.search&&history.replaceState(null,"",location.pathname);let n=await fetch("api/model"),{model:s,source:r}=n.ok?$l(await n.json()):{model:pa[0],source:null},a=new Ws(Ah(i),t,{model:s,source:r}),o=()=>{let{model:l,saved:c}=a.store.state;document.title=`${l===c?"":"● "}${l.name} – quintrig`};return a.store.subscribe(o),o(),a}function Nv({model:i,el:e}){e.style.height=`${Number(i.get("height"))}px`;let t="",n=0,s=()=>{i.set("model",JSON.parse(t)),i.save_changes()},r=new Ws(Ah(e),new sr("notebook","notebook"),{model:Wt(i.get("model")),source:null,quantity:String(i.get("quantity")),onModel(o){let l=JSON.stringify(Tn(o));l!==t&&(t=l,n||=window.setTimeout(()=>{n=0,s()},60))}});t=JSON.stringify(Tn(r.store.state.model));let a=()=>{let o=Wt(i.get("model")),l=JSON.stringify(Tn(o));l!==t&&(t=l,r.store.edit(o))};return i.on("change:model",a),()=>{i.off("change:model",a),r.dispose()}}var vT={render:Nv};if(typeof document<"u"){let i=document.querySelector("[data-quintrig]");i?.dataset.quintrig==="live"&&Lv(i,i.dataset.place??"").catch(e=>i.textContent=String(e));for(let e of document.querySelectorAll("[data-quintrig=embedded]")){let t=document.getElementById(e.dataset.model??"")?.textContent??"null";Iv(e,JSON.parse(t))}}export{Un as QUANTITIES,dt as QUANTITY,Gi as analyse,Kt as build,vT as default,Iv as embed,Wt as fromDict,Lv as live,Tn as toDict};

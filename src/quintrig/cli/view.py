@@ -1,0 +1,55 @@
+"""``quintrig view``: the live studio in the browser."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from quintrig.cli import session
+from quintrig.errors import QuintrigError
+
+_EPILOG = session.examples(
+    ("quintrig view lid.toml", "opens the model in the browser, to look at and to shape"),
+    ("quintrig view", "starts on a preset, with the models of this folder at hand"),
+)
+
+
+def register(app: typer.Typer) -> None:
+    """Add the command."""
+    session.add(app, view, _EPILOG)
+
+
+def view(
+    model: Annotated[
+        Path | None, typer.Argument(metavar="[MODEL]", help="Model file, .toml or .json.", show_default=False)
+    ] = None,
+    port: Annotated[
+        int, typer.Option(min=0, max=65535, help="Port; 0 chooses one that stays the same for the model.")
+    ] = 0,
+    host: Annotated[str, typer.Option(help="Address to listen on; others than this machine's own are not safe.")] = (
+        "127.0.0.1"
+    ),
+    browser: Annotated[bool, typer.Option(help="Open the browser.")] = True,
+) -> None:
+    """See and shape a surface in the browser, live.
+
+    The studio reads and saves models in the model's folder only, and speaks to this machine only, with a random token
+    in the address. Stop it with Ctrl-C; unsaved work is kept in the browser and offered again.
+    """
+    if model is not None:
+        session.load(model)  # a bad model is told here, before anything is opened
+    try:
+        from quintrig.studio import server
+    except ModuleNotFoundError as error:
+        raise QuintrigError(f"view needs {error.name}: pip install 'quintrig[studio]'") from None
+    where = server.site(model, host, port)
+    session.emit(f"Studio: {where.address}")
+    session.emit("Stop it with Ctrl-C.")
+    if host not in ("127.0.0.1", "localhost", "::1"):
+        session.emit("Anyone who can reach this address and knows the token can read and write models in the folder.")
+    if browser:
+        import threading
+        import webbrowser
+
+        threading.Timer(0.6, webbrowser.open, [where.address]).start()
+    server.serve(where)

@@ -1,0 +1,106 @@
+"""The folder that the studio may read from and write to: model files directly in it, and nothing else."""
+
+import hashlib
+import json
+import tomllib
+from pathlib import Path
+from typing import Any
+
+from quintrig.errors import ModelError, QuintrigError
+from quintrig.files import write_whole
+from quintrig.model import LARGEST_FILE, Model, load
+from quintrig.studio.merge import merged
+
+SUFFIXES = (".toml", ".json")
+_LONGEST_NAME = 120
+_MOST_FILES = 500
+
+
+class Changed(Exception):
+    """The file on disk is another one than was read."""
+
+
+def names(folder: Path) -> list[str]:
+    """Return the names of the files in the folder that may be models, hidden ones and links left out."""
+    found = (path for path in folder.iterdir() if path.suffix.lower() in SUFFIXES and not path.name.startswith("."))
+    return sorted(path.name for path in found if path.is_file() and not path.is_symlink())[:_MOST_FILES]
+
+
+def confined(folder: Path, name: str) -> Path:
+    """Return the path of a model file directly in the folder.
+
+    Raises ModelError for a name that leads elsewhere, is hidden, or does not end in .toml or .json.
+    """
+    path = Path(name)
+    plain = name == path.name and "\\" not in name and ":" not in name and name.isprintable()
+    if not plain or name.startswith(".") or not 0 < len(name) <= _LONGEST_NAME:
+        raise ModelError(f"{name[:80]!r}: expected the plain name of a file in the folder that the studio is open on")
+    if path.suffix.lower() not in SUFFIXES:
+        raise ModelError(f"{name}: expected a name ending in .toml or .json")
+    whole = folder / name
+    if whole.is_symlink():
+        raise ModelError(f"{name}: is a link to another place, which the studio does not follow")
+    return whole
+
+
+def read(folder: Path, name: str) -> tuple[Model, str]:
+    """Return a model and the tag of the version on disk; ModelError as on the command line, without the folder."""
+    path = confined(folder, name)
+    try:
+        return load(path), tag_of(path)
+    except ModelError as error:
+        raise ModelError(str(error).replace(str(path), name)) from None
+
+
+def checked(name: str, text: str, folder: Path | None = None) -> Model:
+    """Return the model that a file of this name and content would hold; ModelError as on the command line."""
+    suffix = Path(name).suffix.lower()
+    if suffix not in SUFFIXES:
+        raise ModelError(f"{name}: expected a file ending in .toml or .json")
+    if len(text.encode()) > LARGEST_FILE:
+        raise ModelError(f"{name}: expected at most {LARGEST_FILE >> 20} MB, found more; is this a model?")
+    try:
+        data: Any = tomllib.loads(text) if suffix == ".toml" else json.loads(text)
+    except RecursionError:
+        raise ModelError(f"{name}: nested too deeply to be a model") from None
+    except ValueError as error:
+        raise ModelError(f"{name}: not valid {suffix[1:].upper()}: {str(error).splitlines()[0]}") from None
+    try:
+        return Model.from_dict(data, folder)
+    except ModelError as error:
+        raise ModelError(f"{name}: {error}") from None
+
+
+def save(folder: Path, name: str, model: Model, tag: str | None) -> str:
+    """Write a model and return the tag of the new version.
+
+    ``tag`` is that of the version that was read, empty for a new file, None to overwrite whatever there is. Where the
+    file exists as TOML, its comments and unchanged keys stay. Raises Changed where the file is another one now,
+    QuintrigError where it cannot be written.
+    """
+    path = confined(folder, name)
+    there = path.exists()
+    if tag is not None and tag != (tag_of(path) if there else ""):
+        what = "was changed by something else since it was opened here" if tag else "exists already"
+        raise Changed(f"{name} {what}.")
+    if path.suffix.lower() == ".json":
+        text = json.dumps(model.to_dict(), ensure_ascii=False, indent=1) + "\n"
+    else:
+        text = merged(_text(path) if there else "", model, folder)
+    write_whole(path, text)
+    return tag_of(path)
+
+
+def tag_of(path: Path) -> str:
+    """Return a short name of the content of a file, which tells versions apart."""
+    try:
+        return hashlib.sha256(path.read_bytes()).hexdigest()[:16]
+    except OSError as error:
+        raise QuintrigError(f"{path.name}: cannot be read ({error.strerror})") from None
+
+
+def _text(path: Path) -> str:
+    try:
+        return path.read_text(encoding="utf-8-sig")
+    except (OSError, UnicodeDecodeError):
+        return ""

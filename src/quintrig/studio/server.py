@@ -1,0 +1,194 @@
+"""The live studio's server: one page, one script and a small interface over one folder. It keeps no state."""
+
+import hashlib
+import json
+import secrets
+import socket
+from collections.abc import Awaitable, Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, cast
+from urllib.parse import unquote
+
+import anyio.to_thread
+from starlette.applications import Starlette
+from starlette.requests import Request
+from starlette.responses import JSONResponse, Response
+from starlette.routing import Route
+
+from quintrig.errors import ModelError, QuintrigError
+from quintrig.studio import exports, folder, page
+from quintrig.studio.guard import App, Guard, TooLarge
+
+LOOPBACK = "127.0.0.1"
+_FIRST_PORT, _PORTS = 8700, 250
+
+Answer = Callable[[Request], Awaitable[Response]]
+
+
+@dataclass(frozen=True)
+class Site:
+    """What a server serves: a folder, the name of the model in it to open first (empty: a preset), and its address."""
+
+    folder: Path
+    name: str
+    host: str
+    port: int
+    token: str
+
+    @property
+    def address(self) -> str:
+        """The address to open, with the token."""
+        shown = "127.0.0.1" if self.host in ("0.0.0.0", "::") else self.host
+        return f"http://{f'[{shown}]' if ':' in shown else shown}:{self.port}/?token={self.token}"
+
+
+def site(model: Path | None, host: str = LOOPBACK, port: int = 0) -> Site:
+    """Return a site for a model file, or for the current folder.
+
+    Without a ``port`` it is chosen from the model's path, so that a browser finds its unsaved work again after a
+    restart, or is the next free one. Raises QuintrigError where the address cannot be used.
+    """
+    place = model.resolve() if model else Path.cwd()
+    base = place.parent if model else place
+    if port:
+        candidates = [port]
+    else:
+        start = int(hashlib.sha256(str(place).encode()).hexdigest(), 16) % _PORTS
+        candidates = [_FIRST_PORT + (start + step) % _PORTS for step in range(20)]
+    for candidate in candidates:
+        if _free(host, candidate):
+            return Site(base, place.name if model else "", host, candidate, secrets.token_urlsafe(24))
+    raise QuintrigError(
+        f"{host}: port {candidates[0]} cannot be used (taken by another program, or not an address of this machine); "
+        "choose another with --port or --host"
+    )
+
+
+def application(where: Site) -> App:
+    """Return the guarded ASGI application of a site."""
+
+    async def index(_: Request) -> Response:
+        key = hashlib.sha256(str(where.folder / where.name).encode()).hexdigest()[:16]
+        return Response(page.shell(f"{where.name}:{key}"), media_type="text/html")
+
+    async def model(_: Request) -> Response:
+        if not where.name:
+            return JSONResponse({"error": "no model was given"}, 404)
+        return await _opened(where.folder, where.name)
+
+    async def files(_: Request) -> Response:
+        return JSONResponse({"files": await anyio.to_thread.run_sync(folder.names, where.folder)})
+
+    async def load(request: Request) -> Response:
+        return await _opened(where.folder, _name(request))
+
+    async def save(request: Request) -> Response:
+        body, name = await _body(request, "text", "tag"), _name(request)
+        drawn = await anyio.to_thread.run_sync(folder.checked, "model.toml", body["text"])
+        tag = await anyio.to_thread.run_sync(folder.save, where.folder, name, drawn, body["tag"])
+        return JSONResponse({"name": name, "tag": tag})
+
+    async def check(request: Request) -> Response:
+        body = await _body(request, "name", "text")
+        read = await anyio.to_thread.run_sync(folder.checked, body["name"], body["text"])
+        return JSONResponse({"model": read.to_dict()})
+
+    async def formats(_: Request) -> Response:
+        return JSONResponse({"formats": [vars(one) for one in exports.formats()]})
+
+    async def export(request: Request) -> Response:
+        body = await _body(request, "text")
+        drawn = await anyio.to_thread.run_sync(folder.checked, "model.toml", body["text"])
+        content = await anyio.to_thread.run_sync(exports.export, drawn, request.path_params["key"])
+        return Response(content, media_type="application/octet-stream")
+
+    routes = [
+        Route("/", index),
+        Route("/studio.js", _static(page.script(), "text/javascript")),
+        Route("/page.css", _static(page.PAGE_STYLE, "text/css")),
+        Route("/icon.svg", _static(page.ICON, "image/svg+xml")),
+        Route("/api/model", model),
+        Route("/api/files", files),
+        Route("/api/files/{name:path}", load, methods=["GET"]),
+        Route("/api/files/{name:path}", save, methods=["PUT"]),
+        Route("/api/check", check, methods=["POST"]),
+        Route("/api/formats", formats),
+        Route("/api/export/{key}", export, methods=["POST"]),
+    ]
+    inner = Starlette(
+        routes=routes,
+        exception_handlers={
+            ModelError: _told(422),
+            ValueError: _told(422),
+            QuintrigError: _told(500),
+            folder.Changed: _told(409),
+            TooLarge: _told(413),
+        },
+    )
+    return Guard(cast(App, inner), where.token, where.host, where.port)
+
+
+def serve(where: Site) -> None:
+    """Serve a site until interrupted."""
+    import uvicorn
+
+    config = uvicorn.Config(
+        cast(Any, application(where)),
+        host=where.host,
+        port=where.port,
+        log_level="warning",
+        access_log=False,
+        server_header=False,
+        date_header=False,
+        lifespan="off",
+        timeout_graceful_shutdown=1,
+    )
+    uvicorn.Server(config).run()
+
+
+async def _opened(where: Path, name: str) -> Response:
+    model, tag = await anyio.to_thread.run_sync(folder.read, where, name)
+    return JSONResponse({"model": model.to_dict(), "name": name, "tag": tag})
+
+
+def _static(content: str, kind: str) -> Answer:
+    async def answer(_: Request) -> Response:
+        return Response(content, media_type=kind)
+
+    return answer
+
+
+def _told(status: int) -> Callable[[Request, Exception], Response]:
+    def answer(_: Request, error: Exception) -> Response:
+        return JSONResponse({"error": str(error) or "the request is too large"}, status)
+
+    return answer
+
+
+def _name(request: Request) -> str:
+    return unquote(str(request.path_params["name"]))
+
+
+async def _body(request: Request, *keys: str) -> dict[str, Any]:
+    """Return the texts of a JSON body; ValueError where one is missing."""
+    try:
+        body: Any = json.loads(await request.body())
+    except (ValueError, RecursionError):
+        raise ValueError("expected a JSON object") from None
+    for key in keys:
+        value = body.get(key) if isinstance(body, dict) else None  # pyright: ignore
+        if not (isinstance(value, str) or (key == "tag" and value is None)):
+            raise ValueError(f"{key}: expected a text")
+    return cast(dict[str, Any], body)
+
+
+def _free(host: str, port: int) -> bool:
+    family = socket.AF_INET6 if ":" in host else socket.AF_INET
+    with socket.socket(family, socket.SOCK_STREAM) as probe:
+        probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        try:
+            probe.bind((host, port))
+        except OSError:
+            return False
+        return True

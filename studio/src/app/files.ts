@@ -1,0 +1,138 @@
+/** Opening, saving, pictures and exports. */
+
+import type { Model } from "../numerics/model";
+import { toDict } from "../numerics/model";
+import { toToml } from "../toml";
+import type { Item } from "../ui/controls";
+import { ask, askName, askPicture, type PictureChoice } from "../ui/dialogs";
+import { download, fileName, h } from "../ui/dom";
+import { Conflict, type Format, type Host } from "./host";
+import type { Store } from "./state";
+
+const LARGEST = 16 * 2 ** 20;
+
+export class Files {
+  private known: readonly string[] = [];
+  private formats: readonly Format[] = [];
+
+  constructor(
+    private readonly store: Store, private readonly host: Host, private readonly root: () => HTMLElement,
+    private readonly draw: (choice: PictureChoice) => Promise<HTMLCanvasElement>, private readonly size: () => readonly [number, number],
+  ) {
+    void this.look();
+  }
+
+  /** Ask the server what there is to open and to export to. */
+  async look(): Promise<void> {
+    try {
+      [this.known, this.formats] = await Promise.all([this.host.list(), this.host.formats()]);
+    } catch {
+      this.known = [];
+    }
+  }
+
+  openItems(): (Item | string)[] {
+    const here = this.known.map((name) => ({ label: name, act: () => void this.load(name) }));
+    return [{ label: "From this computer …", hint: "or drop a file on the picture", act: () => this.choose() }, ...(here.length ? ["In the folder", ...here] : [])];
+  }
+
+  saveItems(): (Item | string)[] {
+    const { model, source } = this.store.state;
+    const live = this.host.kind === "live";
+    return [
+      ...(live ? [{ label: source ? `Save ${source.name}` : "Save …", hint: "Ctrl S", act: () => void this.save() }, { label: "Save as …", act: () => void this.saveAs() }] : []),
+      { label: "Download TOML", act: () => download(`${fileName(model.name)}.toml`, toToml(model)) },
+      { label: "Download JSON", act: () => download(`${fileName(model.name)}.json`, `${JSON.stringify(toDict(model), null, 1)}\n`, "application/json") },
+    ];
+  }
+
+  exportItems(): (Item | string)[] {
+    if (this.host.kind !== "live") return [{ label: "Exports need the live studio", hint: "quintrig view MODEL", disabled: true, act: () => {} }];
+    if (!this.formats.length) return [{ label: "No exporter is installed", hint: "pip install 'quintrig[cad]'", disabled: true, act: () => {} }];
+    return ["Export as", ...this.formats.map((format) => ({ label: format.label, hint: `.${format.suffix}`, act: () => void this.guard(() => this.host.export(this.store.state.model, format)) }))];
+  }
+
+  /** Start on a preset or starter. */
+  async start(model: Model): Promise<void> {
+    if (await this.leave()) this.store.open(model, null);
+  }
+
+  async load(name: string): Promise<void> {
+    if (!(await this.leave())) return;
+    await this.guard(async () => {
+      const { model, source } = await this.host.load(name);
+      this.store.open(model, source);
+    });
+  }
+
+  choose(): void {
+    const input = h("input", { type: "file", accept: ".toml,.json" });
+    input.addEventListener("change", () => {
+      const file = input.files?.[0];
+      if (file) void this.take(file);
+    });
+    input.click();
+  }
+
+  /** Open a dropped or chosen file; a bad one leaves the work as it is. */
+  async take(file: File): Promise<void> {
+    await this.guard(async () => {
+      if (file.size > LARGEST) throw new Error(`${file.name}: expected at most 16 MB, found ${Math.round(file.size / 2 ** 20)} MB; is this a model?`);
+      const model = await this.host.read(file.name, await file.text());
+      if (await this.leave()) this.store.open(model, null);
+    });
+  }
+
+  async save(): Promise<void> {
+    const { source } = this.store.state;
+    if (source) await this.write(source.name, source.tag);
+    else await this.saveAs();
+  }
+
+  async saveAs(): Promise<void> {
+    const name = this.host.kind === "live" ? await askName(this.root(), "Save as", `${fileName(this.store.state.model.name)}.toml`) : this.store.state.model.name;
+    if (name) await this.write(name, "");
+  }
+
+  async picture(): Promise<void> {
+    const [width, height] = this.size();
+    const choice = await askPicture(this.root(), 2 * width, 2 * height);
+    if (!choice) return;
+    const canvas = await this.draw(choice);
+    canvas.toBlob((blob) => blob && download(`${fileName(this.store.state.model.name)}.png`, blob), "image/png");
+  }
+
+  private async write(name: string, tag: string | null): Promise<void> {
+    const { model } = this.store.state;
+    try {
+      const source = await this.host.save(name, model, tag);
+      this.store.set({ saved: model, source: source ?? this.store.state.source, message: { kind: "note", text: source ? `Saved ${source.name}` : "Downloaded" } });
+      void this.look();
+    } catch (error) {
+      if (!(error instanceof Conflict)) return this.fail(error);
+      const answer = await ask(this.root(), "The file is another one now", [h("p", {}, error.message)], [["other", "Save under another name"], ["over", "Overwrite it"], ["cancel", "Cancel"]]);
+      if (answer === "over") await this.write(name, null);
+      if (answer === "other") await this.saveAs();
+    }
+  }
+
+  /** Ask before unsaved work is left. */
+  private async leave(): Promise<boolean> {
+    const { model, saved } = this.store.state;
+    if (model === saved) return true;
+    const answer = await ask(this.root(), "Leave this model?", [h("p", {}, `The changes to “${model.name}” are not saved.`)], [["stay", "Go on working"], ["leave", "Leave them"]]);
+    return answer === "leave";
+  }
+
+  private async guard(act: () => Promise<void>): Promise<void> {
+    try {
+      await act();
+    } catch (error) {
+      this.fail(error);
+    }
+  }
+
+  private fail(error: unknown): void {
+    this.store.set({ message: { kind: "error", text: (error as Error).message } });
+  }
+}

@@ -1,0 +1,137 @@
+/** What the studio can ask of the world it runs in: the local server, a page from disk, or a notebook. */
+
+import { fromDict, ModelError, type Model } from "../numerics/model";
+import { fromToml, toToml } from "../toml";
+import { download, fileName } from "../ui/dom";
+import type { Source } from "./state";
+
+export interface Format {
+  readonly key: string;
+  readonly label: string;
+  readonly suffix: string;
+}
+
+export interface Opened {
+  readonly model: Model;
+  readonly source: Source | null;
+}
+
+/** The version on disk is another one than was read. */
+export class Conflict extends Error {}
+
+export interface Host {
+  readonly kind: "live" | "embedded" | "notebook";
+  /** Key under which unsaved work is kept. */
+  readonly place: string;
+  /** Model files that can be opened by name. */
+  list(): Promise<readonly string[]>;
+  load(name: string): Promise<Opened>;
+  /** Read what was dropped or chosen; ModelError with the message of the command line. */
+  read(name: string, text: string): Promise<Model>;
+  /** Save under a name; null where saving is a download. Conflict when the file on disk is another than was read. */
+  save(name: string, model: Model, tag: string | null): Promise<Source | null>;
+  formats(): Promise<readonly Format[]>;
+  export(model: Model, format: Format): Promise<void>;
+}
+
+/** A page without a server: files are read here and saved as downloads. */
+export class PageHost implements Host {
+  constructor(readonly kind: "embedded" | "notebook", readonly place: string) {}
+
+  list(): Promise<readonly string[]> {
+    return Promise.resolve([]);
+  }
+
+  load(name: string): Promise<Opened> {
+    return Promise.reject(new ModelError(`${name}: a page from disk has no folder to open files from`));
+  }
+
+  read(name: string, text: string): Promise<Model> {
+    return new Promise((done) => done(parse(name, text)));
+  }
+
+  save(name: string, model: Model): Promise<Source | null> {
+    download(`${fileName(name.replace(/\.(toml|json)$/i, ""))}.toml`, toToml(model));
+    return Promise.resolve(null);
+  }
+
+  formats(): Promise<readonly Format[]> {
+    return Promise.resolve([]);
+  }
+
+  export(): Promise<void> {
+    return Promise.reject(new Error("exports need the live studio: quintrig view MODEL"));
+  }
+}
+
+/** `quintrig view`: the server on this machine reads, checks, saves and exports. */
+export class LiveHost implements Host {
+  readonly kind = "live";
+  constructor(readonly place: string) {}
+
+  async list(): Promise<readonly string[]> {
+    return ((await this.ask("GET", "api/files")) as { files: string[] }).files;
+  }
+
+  async load(name: string): Promise<Opened> {
+    return opened(await this.ask("GET", `api/files/${encodeURIComponent(name)}`));
+  }
+
+  async read(name: string, text: string): Promise<Model> {
+    const answer = (await this.ask("POST", "api/check", JSON.stringify({ name, text }))) as { model: unknown };
+    return fromDict(answer.model);
+  }
+
+  async save(name: string, model: Model, tag: string | null): Promise<Source | null> {
+    const body = JSON.stringify({ text: toToml(model), tag });
+    return (await this.ask("PUT", `api/files/${encodeURIComponent(name)}`, body)) as Source;
+  }
+
+  async formats(): Promise<readonly Format[]> {
+    return ((await this.ask("GET", "api/formats")) as { formats: Format[] }).formats;
+  }
+
+  async export(model: Model, format: Format): Promise<void> {
+    const answer = await this.send("POST", `api/export/${format.key}`, JSON.stringify({ text: toToml(model) }));
+    download(`${fileName(model.name)}.${format.suffix}`, await answer.blob());
+  }
+
+  private async ask(method: string, path: string, body?: string): Promise<unknown> {
+    return (await this.send(method, path, body)).json();
+  }
+
+  private async send(method: string, path: string, body?: string): Promise<Response> {
+    let answer: Response;
+    try {
+      answer = await fetch(path, { method, body: body ?? null, ...(body ? { headers: { "Content-Type": "application/json" } } : {}) });
+    } catch {
+      throw new Error("the server does not answer: has quintrig view been stopped? Your work is kept in this browser");
+    }
+    if (answer.ok) return answer;
+    const said = (await answer.json().catch(() => null)) as { error?: string } | null;
+    const text = said?.error ?? `the server answered ${answer.status}`;
+    if (answer.status === 409) throw new Conflict(text);
+    throw answer.status === 422 ? new ModelError(text) : new Error(text);
+  }
+}
+
+export function opened(answer: unknown): Opened {
+  const { model, name, tag } = answer as { model: unknown; name: string; tag: string };
+  return { model: fromDict(model), source: name ? { name, tag } : null };
+}
+
+function parse(name: string, text: string): Model {
+  try {
+    if (/\.toml$/i.test(name)) return fromDict(fromToml(text));
+    if (!/\.json$/i.test(name)) throw new ModelError("expected a file ending in .toml or .json");
+    let data: unknown;
+    try {
+      data = JSON.parse(text);
+    } catch (error) {
+      throw new ModelError(`not valid JSON: ${(error as Error).message}`);
+    }
+    return fromDict(data);
+  } catch (error) {
+    throw new ModelError(`${name}: ${(error as Error).message}`);
+  }
+}

@@ -1,0 +1,132 @@
+/** The state of the studio and the one place that changes it. */
+
+import data from "../data.json";
+import { fromDict, type Model, type Patch } from "../numerics/model";
+import { remember, type Settings } from "./settings";
+
+/** What else is shown beside the model. */
+export type Compare = "off" | "before" | "sets" | "kept";
+
+export interface Pin {
+  readonly patch: number;
+  readonly u: number;
+  readonly v: number;
+}
+
+/** Where the model came from; `tag` tells the version on disk that was read. */
+export interface Source {
+  readonly name: string;
+  readonly tag: string;
+}
+
+export interface State {
+  readonly model: Model;
+  /** The model as last opened or saved. */
+  readonly saved: Model;
+  readonly source: Source | null;
+  readonly patch: number;
+  readonly selected: string | null;
+  readonly settings: Settings;
+  readonly compare: Compare;
+  readonly kept: readonly { readonly label: string; readonly model: Model }[];
+  readonly pins: readonly Pin[];
+  readonly hover: (Pin & { readonly x: number; readonly y: number; readonly cell: number }) | null;
+  readonly canUndo: boolean;
+  readonly canRedo: boolean;
+  /** True while something is dragged: coarse is good enough. */
+  readonly moving: boolean;
+  readonly message: { readonly text: string; readonly kind: "error" | "note" } | null;
+}
+
+export type Listener = (now: State, before: State) => void;
+
+export class Store {
+  private past: Model[] = [];
+  private future: Model[] = [];
+  private gesture: string | null = null;
+  private readonly listeners: Listener[] = [];
+
+  constructor(public state: State) {}
+
+  subscribe(listener: Listener): void {
+    this.listeners.push(listener);
+  }
+
+  set(change: Partial<State>): void {
+    const before = this.state;
+    this.state = { ...before, ...change };
+    if (this.state.settings !== before.settings) remember(this.state.settings);
+    for (const listener of this.listeners) listener(this.state, before);
+  }
+
+  setting(change: Partial<Settings>): void {
+    this.set({ settings: { ...this.state.settings, ...change } });
+  }
+
+  /** Replace the model. Edits of one gesture (a drag, a slider held) are one step of undo. */
+  edit(model: Model, gesture: string | null = null): void {
+    if (model === this.state.model) return;
+    if (gesture === null || gesture !== this.gesture) {
+      this.past.push(this.state.model);
+      if (this.past.length > 500) this.past.shift();
+    }
+    this.gesture = gesture;
+    this.future = [];
+    this.replace(model, gesture !== null);
+  }
+
+  /** Replace the active patch. */
+  editPatch(patch: Patch, gesture: string | null = null): void {
+    const { model, patch: at } = this.state;
+    this.edit({ ...model, patches: model.patches.map((old, i) => (i === at ? patch : old)) }, gesture);
+  }
+
+  /** A gesture is over: what follows is a step of its own. */
+  settle(): void {
+    this.gesture = null;
+    if (this.state.moving) this.set({ moving: false });
+  }
+
+  undo(): void {
+    const model = this.past.pop();
+    if (!model) return;
+    this.future.push(this.state.model);
+    this.gesture = null;
+    this.replace(model, false);
+  }
+
+  redo(): void {
+    const model = this.future.pop();
+    if (!model) return;
+    this.past.push(this.state.model);
+    this.gesture = null;
+    this.replace(model, false);
+  }
+
+  /** Start on another model; nothing of the old one can be undone. */
+  open(model: Model, source: Source | null, saved: Model = model): void {
+    this.past = [];
+    this.future = [];
+    this.gesture = null;
+    this.set({
+      model, saved, source, patch: 0, selected: null, pins: [], hover: null, kept: [], compare: "off", canUndo: false, canRedo: false,
+      moving: false, message: null,
+    });
+  }
+
+  private replace(model: Model, moving: boolean): void {
+    const patch = Math.min(this.state.patch, model.patches.length - 1);
+    this.set({ model, patch, moving, canUndo: this.past.length > 0, canRedo: this.future.length > 0 });
+  }
+}
+
+export const PRESETS: readonly Model[] = (data.presets as unknown[]).map(fromDict);
+
+/** The four sets of shape parameters of the thesis for a kind with this many. */
+export const shapeSets = (count: number): readonly (readonly number[])[] =>
+  (data.shapeSets as Record<string, number[][]>)[String(count)] ?? [];
+
+/** A starter model of a kind. */
+export const starterOf = (kind: string): Model => fromDict((data.starters as Record<string, unknown>)[kind]);
+
+export const activePatch = (state: State): Patch => state.model.patches[state.patch]!;

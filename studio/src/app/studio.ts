@@ -1,0 +1,379 @@
+/** The studio put together: state, panels and picture, and what has to be worked out again after a change. */
+
+import { polylines, handles } from "../edit/handles";
+import { regression } from "../numerics/envelope";
+import { build, shapeOf, type Model, type Patch } from "../numerics/model";
+import { QUANTITY } from "../numerics/quantity";
+import { extent } from "../numerics/surface";
+import { Hud } from "../ui/hud";
+import { Inspector } from "../ui/inspector";
+import { Legend } from "../ui/legend";
+import { ModelPanel } from "../ui/model-panel";
+import { showHelp, type PictureChoice } from "../ui/dialogs";
+import { h } from "../ui/dom";
+import { ProbePanel } from "../ui/probe";
+import { StatusBar } from "../ui/status";
+import { TopBar } from "../ui/topbar";
+import { frameOf, UNIT_FRAME, type Frame } from "../view/frame";
+import { compose } from "../view/picture";
+import { sharpest, type Sharpest } from "../view/radius";
+import { rangeOf, type Range } from "../view/range";
+import { Stage, type Cell, type Piece } from "../view/stage";
+import { Drafts } from "./drafts";
+import { Files } from "./files";
+import type { Host } from "./host";
+import { press } from "./keys";
+import { listen } from "./pointer";
+import { remembered, type Settings } from "./settings";
+import { shapeSets, Store, type Source, type State } from "./state";
+
+const FRAME_BUDGET = 9; // ms that evaluating everything may take while something moves
+
+interface Shown {
+  readonly label: string;
+  readonly model: Model;
+  readonly editable: boolean;
+}
+
+export interface Start {
+  readonly model: Model;
+  readonly source: Source | null;
+  readonly quantity?: string;
+  /** Called with the model after every change, also while dragging. */
+  onModel?(model: Model): void;
+}
+
+export class Studio {
+  readonly store: Store;
+  readonly root: HTMLElement;
+  readonly stage: Stage;
+  private readonly canvas = h("canvas", { class: "view", tabindex: 0, role: "application", "aria-label": "The surface. Arrow keys turn it; ? lists all keys." });
+  private readonly centre = h("div", { class: "picture" }, this.canvas);
+  private readonly legend = new Legend();
+  private readonly hud: Hud;
+  private readonly bar: TopBar;
+  private readonly inspector: Inspector;
+  private readonly model: ModelPanel;
+  private readonly probe: ProbePanel;
+  private readonly status: StatusBar;
+  private readonly files: Files;
+  private readonly drafts: Drafts;
+  private frame: Frame = UNIT_FRAME;
+  private range: Range | null = null;
+  private sharp: { cell: number; at: Sharpest }[] = [];
+  private planned = 0;
+  private dark = false;
+  private stale = true;
+  private coarse = 75;
+  private cost = 0;
+  private refit = true;
+  private draftTimer = 0;
+
+  constructor(private readonly container: HTMLElement, private readonly host: Host, start: Start) {
+    const settings: Settings = { ...remembered(), ...(start.quantity ? { quantity: start.quantity } : {}) };
+    this.store = new Store({
+      model: start.model, saved: start.model, source: start.source, patch: 0, selected: null, settings, compare: "off", kept: [], pins: [],
+      hover: null, canUndo: false, canRedo: false, moving: false, message: null,
+    });
+    const { store } = this;
+    this.stage = new Stage(this.canvas);
+    this.files = new Files(store, host, () => this.root, (choice) => this.picture(choice), () => [this.centre.clientWidth, this.centre.clientHeight]);
+    this.bar = new TopBar(store, this.files, () => this.switchTheme(), () => void showHelp(this.root), host.kind !== "live");
+    this.model = new ModelPanel(store);
+    this.inspector = new Inspector(store);
+    this.probe = new ProbePanel(store, () => this.plan());
+    this.status = new StatusBar(store);
+    this.hud = new Hud(store, this.stage, { fit: () => this.fit(), redraw: () => this.plan() });
+    this.centre.append(this.hud.element, this.legend.element);
+    this.root = h("div", { class: `studio ${host.kind}` },
+      this.bar.element, this.model.element,
+      h("main", { class: "centre" }, this.status.banner, this.centre, this.probe.element),
+      this.inspector.element, this.status.element);
+    container.append(this.root);
+    this.drafts = new Drafts(host.place);
+    listen(this.canvas, { store, stage: this.stage, frame: () => this.frame, editable: (cell) => this.shown()[cell]?.editable ?? false, redraw: () => this.plan() });
+    this.root.addEventListener("keydown", (event) => {
+      if (press(event, { store, stage: this.stage, files: this.files, frame: () => this.frame, fit: () => this.fit(), redraw: () => this.plan(), help: () => void showHelp(this.root) })) event.preventDefault();
+    });
+    this.receiveFiles();
+    new ResizeObserver(() => this.resize()).observe(this.centre);
+    const scheme = matchMedia("(prefers-color-scheme: dark)");
+    scheme.addEventListener("change", () => this.plan(true));
+    store.subscribe((now, before) => this.changed(now, before, start));
+    if (!this.stage.works) this.status.warn("This browser has no WebGL: you see still pictures. Everything else works.");
+    this.resize();
+    this.plan(true);
+    void this.offerDraft();
+  }
+
+  private changed(now: State, before: State, start: Start): void {
+    if (now.model !== before.model) {
+      start.onModel?.(now.model);
+      if (now.saved === now.model) this.keepDraft(0);
+      else this.keepDraft(400);
+      if (now.model.patches.some((patch, i) => patch.kind !== before.model.patches[i]?.kind) || now.model.patches.length !== before.model.patches.length) this.refit = true;
+    }
+    if (now.saved !== before.saved) this.keepDraft(0);
+    if (now.saved !== before.saved && now.source?.name !== before.source?.name) this.refit = now.canUndo ? this.refit : true;
+    const shownBefore = before.compare !== now.compare;
+    if (now.hover !== before.hover && now.model === before.model && now.settings === before.settings) this.hud.refresh(now, this.frame, this.sharp);
+    if (now.model !== before.model || now.settings !== before.settings || now.patch !== before.patch || shownBefore || now.kept !== before.kept || now.saved !== before.saved || now.moving !== before.moving || now.selected !== before.selected) this.plan(true);
+    if (now.message !== before.message || now.pins !== before.pins) this.plan();
+  }
+
+  /** Ask for a frame; `stale` when more than the camera changed. */
+  plan(stale = false): void {
+    this.stale ||= stale;
+    this.planned ||= requestAnimationFrame((now) => {
+      this.planned = 0;
+      this.show(now);
+    });
+  }
+
+  private show(now: number): void {
+    const gliding = this.stage.orbit.step(now);
+    const start = performance.now();
+    if (this.stale) {
+      this.stale = false;
+      this.work();
+    }
+    const worked = performance.now();
+    this.stage.draw();
+    this.hud.refresh(this.store.state, this.frame, this.sharp);
+    this.root.dispatchEvent(new CustomEvent("drawn", { detail: { evaluated: worked - start, drawn: performance.now() - worked } }));
+    if (gliding) this.plan();
+  }
+
+  /** Bring everything that follows from the state up to date. */
+  private work(): void {
+    const { state } = this.store, { settings } = state;
+    this.dark = settings.theme === "dark" || (settings.theme === "auto" && matchMedia("(prefers-color-scheme: dark)").matches);
+    this.root.dataset["theme"] = this.dark ? "dark" : "light";
+    const shown = this.shown();
+    this.stage.layout(shown.length);
+    const side = state.moving ? Math.min(settings.resolution, this.coarse) : settings.resolution;
+    if (this.refit) this.reframe(shown);
+    const start = performance.now();
+    let points = 0;
+    shown.forEach(({ model }, i) => {
+      const cell = this.stage.cells[i]!;
+      cell.resizePieces(model.patches.length);
+      model.patches.forEach((patch, k) => (points += this.evaluate(cell.pieces[k]!, patch, side, settings)));
+    });
+    if (points) this.pace(performance.now() - start, points, settings.resolution);
+    const meshes = this.stage.cells.flatMap((cell) => cell.pieces.map((piece) => piece.mesh));
+    const q = QUANTITY[settings.quantity];
+    this.range = q && q.colour !== "classes" ? rangeOf(meshes, q, settings) : null;
+    if (!q) this.legend.plain();
+    else if (this.range) this.legend.real(q.key, this.range, state.model.unit, this.dark);
+    else this.legend.classes(q.key, meshes.map((mesh) => mesh.values));
+    this.stage.style(settings, this.range, this.dark, this.frame, state.patch);
+    shown.forEach(({ editable }, i) => this.decorate(this.stage.cells[i]!, state, editable));
+    this.sharp = settings.minRadius && !state.moving ? this.sharpestOf(shown) : [];
+    this.bar.refresh(state);
+    this.inspector.refresh(state, this.dark);
+    this.model.refresh(state);
+    this.hud.labels(shown.map((one) => one.label));
+    this.status.refresh(state, {
+      side, cost: this.cost, singular: meshes.reduce((sum, mesh) => sum + mesh.singular, 0), points: meshes.reduce((sum, mesh) => sum + mesh.grid.count, 0),
+      sharp: this.sharp[0]?.at ?? null, warning: this.warning(state),
+    });
+  }
+
+  /** Evaluate a piece where its patch, resolution or frame changed; the number of points worked out. */
+  private evaluate(piece: Piece, patch: Patch, side: number, settings: Settings): number {
+    const same = piece.patch === patch && piece.side === side && piece.frame === this.frame;
+    if (same && piece.quantity !== settings.quantity) piece.mesh.paint(settings.quantity);
+    piece.quantity = settings.quantity;
+    if (same) return 0;
+    try {
+      if (piece.patch !== patch) piece.surface = build(patch);
+    } catch (error) {
+      this.status.warn((error as Error).message);
+      return 0;
+    }
+    piece.patch = patch;
+    piece.side = side;
+    piece.frame = this.frame;
+    piece.settings = null;
+    piece.mesh.update(piece.surface!, side, settings.quantity, this.frame);
+    return side * side;
+  }
+
+  private decorate(cell: Cell, state: State, editable: boolean): void {
+    cell.pieces.forEach((piece, i) => {
+      if (!piece.surface || !piece.patch) return;
+      if (piece.settings !== state.settings) piece.overlays.update(piece.mesh, state.settings, this.frame);
+      piece.settings = state.settings;
+      const net = state.settings.net;
+      const grips = net && editable && i === state.patch ? handles(piece.patch, piece.surface) : [];
+      piece.overlays.net(net ? polylines(piece.patch, piece.surface) : [], grips, state.selected, this.frame);
+    });
+  }
+
+  /** Choose how many points a side leave a frame's time while something moves. */
+  private pace(time: number, points: number, full: number): void {
+    this.cost = time;
+    const perPoint = time / points, cells = Math.max(1, this.stage.cells.reduce((sum, cell) => sum + cell.pieces.length, 0));
+    const fits = Math.sqrt(FRAME_BUDGET / perPoint / cells);
+    this.coarse = fits >= full ? full : Math.max(36, Math.min(full, Math.round(fits)));
+  }
+
+  /** What the cells show, in their order. */
+  private shown(): Shown[] {
+    const { model, saved, compare, kept, patch } = this.store.state;
+    const now = { label: "", model, editable: true };
+    if (compare === "before") return [{ label: "before", model: saved, editable: false }, { ...now, label: "now" }];
+    if (compare === "kept" && kept.length) return [{ ...now, label: "now" }, ...kept.map((one) => ({ ...one, editable: false }))];
+    const count = shapeOf(model.patches[patch]!).length, sets = shapeSets(count);
+    if (compare === "sets" && sets.length) {
+      const same = (one: Patch, set: readonly number[]) => shapeOf(one).length !== count || String(shapeOf(one)) === String(set);
+      return sets.map((set) => {
+        const mine = model.patches.every((one) => same(one, set));
+        return { label: `(${set.join(", ").replaceAll("-", "−")})`, model: mine ? model : this.withShape(model, set, count), editable: true };
+      });
+    }
+    return [now];
+  }
+
+  private shaped = new WeakMap<Patch, Map<string, Patch>>();
+
+  /** The model with a set of shape parameters; the same object for the same patch, so that nothing is worked out twice. */
+  private withShape(model: Model, set: readonly number[], count: number): Model {
+    return {
+      ...model,
+      patches: model.patches.map((patch) => {
+        if (shapeOf(patch).length !== count) return patch;
+        const known = this.shaped.get(patch) ?? new Map<string, Patch>();
+        this.shaped.set(patch, known);
+        const made = known.get(String(set)) ?? { ...patch, shape: set };
+        known.set(String(set), made);
+        return made;
+      }),
+    };
+  }
+
+  /** Choose the frame of the picture anew from the surfaces shown. */
+  private reframe(shown: readonly Shown[]): void {
+    this.refit = false;
+    const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+    for (const { model } of shown) {
+      for (const patch of model.patches) {
+        const box = boxOf(patch);
+        if (!box) continue;
+        for (let x = 0; x < 3; x++) {
+          low[x] = Math.min(low[x]!, box.low[x]!);
+          high[x] = Math.max(high[x]!, box.high[x]!);
+        }
+      }
+    }
+    if (!(low[0]! <= high[0]!)) return;
+    this.frame = frameOf(low, high);
+    const axis = { x: 0, y: 1, z: 2 }[this.store.state.settings.sectionAxis];
+    this.inspector.sectionRange(Math.min(...low), Math.max(...high));
+    const at = this.store.state.settings.sectionAt;
+    if (!(at >= low[axis]! && at <= high[axis]!)) this.store.setting({ sectionAt: Number(this.frame.centre[axis]!.toPrecision(4)) });
+    const step = 10 ** Math.round(Math.log10(Math.max(2 / this.frame.scale, 1e-30) / 100));
+    this.store.setting({ snapStep: step });
+    this.stage.fit(true);
+  }
+
+  private sharpestOf(shown: readonly Shown[]): { cell: number; at: Sharpest }[] {
+    return shown.flatMap((_, cell) => {
+      const found = this.stage.cells[cell]!.pieces.map((piece) => (piece.surface ? sharpest(piece.surface, piece.mesh) : null)).filter((one) => one !== null);
+      const least = found.sort((a, b) => a.radius - b.radius)[0];
+      return least ? [{ cell, at: least }] : [];
+    });
+  }
+
+  private warning(state: State): string {
+    const patch = state.model.patches[state.patch]!, piece = this.stage.cells[0]?.pieces[state.patch];
+    if (patch["unchecked_shape"] === true && shapeOf(patch).some((x) => x < -4 || x > 1)) return "Shape parameters outside [−4, 1]: the convex-hull property is lost";
+    if (patch.kind !== "developable" || state.moving || !piece?.surface) return "";
+    const inside = regression(piece.surface);
+    if (!inside.length) return "";
+    const spans = inside.map(({ start, end }) => `${start.toFixed(3)} to ${end.toFixed(3)}`).join(", ");
+    return `The edge of regression lies inside the strip for u = ${spans}: the surface is singular there`;
+  }
+
+  private fit(): void {
+    this.refit = true;
+    this.plan(true);
+  }
+
+  private resize(): void {
+    const { clientWidth: width, clientHeight: height } = this.centre;
+    if (!width || !height) return;
+    this.stage.resize(width, height, Math.min(2, devicePixelRatio || 1));
+    this.plan(true);
+  }
+
+  private switchTheme(): void {
+    this.store.setting({ theme: this.dark ? "light" : "dark" });
+  }
+
+  private async picture(choice: PictureChoice): Promise<HTMLCanvasElement> {
+    const style = getComputedStyle(this.root);
+    const background = choice.background === "white" ? "#ffffff" : choice.background === "theme" ? style.getPropertyValue("--ground-flat").trim() : null;
+    const image = await this.stage.picture(choice.width, choice.height, background);
+    const { state } = this.store;
+    return compose(image, choice, state, this.range, this.stage.cells, this.shown().map((one) => one.label), this.dark && choice.background === "theme");
+  }
+
+  private receiveFiles(): void {
+    this.root.addEventListener("dragover", (event) => {
+      event.preventDefault();
+      this.root.classList.add("receiving");
+    });
+    this.root.addEventListener("dragleave", () => this.root.classList.remove("receiving"));
+    this.root.addEventListener("drop", (event) => {
+      event.preventDefault();
+      this.root.classList.remove("receiving");
+      const file = event.dataTransfer?.files[0];
+      if (file) void this.files.take(file);
+    });
+  }
+
+  private keepDraft(wait: number): void {
+    clearTimeout(this.draftTimer);
+    const keep = () => {
+      const { model, saved } = this.store.state;
+      this.drafts.keep(model === saved ? null : model);
+    };
+    if (wait) this.draftTimer = window.setTimeout(keep, wait);
+    else keep();
+  }
+
+  private async offerDraft(): Promise<void> {
+    window.addEventListener("pagehide", () => this.keepDraft(0));
+    if (this.host.kind === "notebook") return;
+    const left = await this.drafts.left();
+    if (!left) return;
+    const when = new Date(left.when).toLocaleString([], { dateStyle: "medium", timeStyle: "short" });
+    this.status.offer(`Unsaved work on “${left.model.name}” from ${when} was kept.`, "Restore it", () => {
+      void this.drafts.forget();
+      this.refit = true;
+      this.store.edit(left.model);
+    }, "Discard", () => void this.drafts.forget());
+  }
+
+  /** Show another model that came from outside, such as a notebook's kernel. */
+  receive(model: Model): void {
+    this.store.open(model, null);
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.planned);
+    this.stage.dispose();
+    this.container.replaceChildren();
+  }
+}
+
+/** The box of a patch; null where it cannot be built. */
+function boxOf(patch: Patch): { low: number[]; high: number[] } | null {
+  try {
+    return extent(build(patch));
+  } catch {
+    return null;
+  }
+}

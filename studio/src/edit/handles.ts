@@ -1,0 +1,115 @@
+/** What can be dragged of a patch: control points, or planes along their normals; and the patch after a move. */
+
+import { reflected } from "../numerics/construct";
+import type { Patch } from "../numerics/model";
+import { valueOf } from "../numerics/model";
+import { analyse } from "../numerics/sample";
+import type { Surface } from "../numerics/surface";
+
+type Vec = readonly number[];
+
+/** A point that can be taken hold of. `along` allows one direction only; else `free` says which axes may change. */
+export interface Handle {
+  readonly id: string;
+  readonly key: string;
+  readonly index: readonly number[];
+  readonly label: string;
+  readonly position: Vec;
+  readonly free: readonly [boolean, boolean, boolean];
+  readonly along?: Vec;
+  readonly mirrored?: boolean;
+  readonly tint: readonly [number, number, number];
+}
+
+const BLUE = [0.11, 0.36, 0.66] as const, TEAL = [0.0, 0.47, 0.42] as const;
+const ALL = [true, true, true] as const;
+const LARGEST_NET = 400;
+
+/** Every handle of a patch; its surface says where the handles of planes sit. */
+export function handles(patch: Patch, surface: Surface): Handle[] {
+  const list = <T>(key: string) => (valueOf(patch, key) ?? []) as T[];
+  switch (patch.kind) {
+    case "tensor":
+    case "nurbs": return net(list<Vec[]>("points"));
+    case "symmetric": {
+      const rows = list<Vec[]>("points"), mirror = valueOf(patch, "mirror") as Vec;
+      const image = net(rows).map((h) => ({
+        ...h, id: `${h.id}′`, label: `${h.label}′`, position: reflected(h.position, mirror), mirrored: true,
+      }));
+      return [...net(rows), ...image];
+    }
+    case "swept": return [...polygon("section", list<Vec>("section"), ALL, BLUE), ...polygon("trajectory", list<Vec>("trajectory"), ALL, TEAL)];
+    case "ruled": return [...polygon("first", list<Vec>("first"), ALL, BLUE), ...polygon("second", list<Vec>("second"), ALL, TEAL)];
+    case "swung": return [
+      ...polygon("profile", list<Vec>("profile").map(([r, z]) => [r!, 0, z!]), [true, false, true], BLUE),
+      ...polygon("trajectory", list<Vec>("trajectory").map(([x, y]) => [x!, y!, 0]), [true, true, false], TEAL),
+    ];
+    case "developable": return [
+      ...planes("planes", list<Vec>("planes"), surface, (i) => [i / 5, 0.5], BLUE),
+      ...planes("bounds", list<Vec>("bounds"), surface, (i) => [0.5, i], TEAL),
+    ];
+    default: return [];
+  }
+}
+
+/** The patch after a handle was moved to a point (as near as the handle allows). */
+export function moved(patch: Patch, handle: Handle, to: Vec): Patch {
+  if (handle.along) {
+    const plane = (valueOf(patch, handle.key) as Vec[])[handle.index[0]!]!;
+    const d = -(plane[0]! * to[0]! + plane[1]! * to[1]! + plane[2]! * to[2]!);
+    return replaced(patch, handle.key, handle.index, [plane[0]!, plane[1]!, plane[2]!, tidy(d)]);
+  }
+  let target = handle.position.map((x, i) => (handle.free[i] ? to[i]! : x));
+  if (handle.mirrored) target = reflected(target, valueOf(patch, "mirror") as Vec);
+  const point = patch.kind !== "swung" ? target : handle.key === "profile" ? [target[0]!, target[2]!] : [target[0]!, target[1]!];
+  return replaced(patch, handle.key, handle.index, point.map(tidy));
+}
+
+/** The patch with one point of a net replaced. */
+export function replaced(patch: Patch, key: string, index: readonly number[], point: Vec): Patch {
+  const set = (value: unknown, path: readonly number[]): unknown => {
+    if (!path.length) return point;
+    return (value as unknown[]).map((item, i) => (i === path[0] ? set(item, path.slice(1)) : item));
+  };
+  return { ...patch, [key]: set(valueOf(patch, key), index) };
+}
+
+/** The polylines of the control net. */
+export function polylines(patch: Patch, surface: Surface): Vec[][] {
+  const list = (key: string) => valueOf(patch, key) as Vec[];
+  switch (patch.kind) {
+    case "swept": return [list("section").slice(), list("trajectory").slice()];
+    case "swung": return [list("profile").map(([r, z]) => [r!, 0, z!]), list("trajectory").map(([x, y]) => [x!, y!, 0])];
+    case "ruled": return [list("first").slice(), list("second").slice()];
+  }
+  const points = surface.net;
+  if (!points || points.n * points.m > LARGEST_NET) return [];
+  const at = (i: number, j: number) => Array.from(points.values.subarray(3 * (i * points.m + j), 3 * (i * points.m + j) + 3));
+  const range = (count: number) => Array.from({ length: count }, (_, i) => i);
+  return [...range(points.n).map((i) => range(points.m).map((j) => at(i, j))), ...range(points.m).map((j) => range(points.n).map((i) => at(i, j)))];
+}
+
+/** Drop the digits that dragging invents: twelve significant ones are kept. */
+const tidy = (x: number): number => Number(x.toPrecision(12)) + 0;
+
+function net(rows: readonly (readonly Vec[])[]): Handle[] {
+  if (rows.length * (rows[0]?.length ?? 0) > LARGEST_NET) return [];
+  return rows.flatMap((row, i) => row.map((position, j) => ({
+    id: `points[${i}][${j}]`, key: "points", index: [i, j], label: `P${i}${j}`, position, free: ALL, tint: BLUE,
+  })));
+}
+
+function polygon(key: string, points: readonly Vec[], free: Handle["free"], tint: Handle["tint"]): Handle[] {
+  return points.map((position, i) => ({ id: `${key}[${i}]`, key, index: [i], label: `${key} ${i}`, position, free, tint }));
+}
+
+function planes(key: string, rows: readonly Vec[], surface: Surface, where: (i: number) => [number, number], tint: Handle["tint"]): Handle[] {
+  return rows.map((plane, i) => {
+    const [u, v] = where(i);
+    const point = Array.from(analyse(surface, [u], [v], true, ["point"])["point"]!);
+    const [a, b, c, d] = plane as [number, number, number, number];
+    const height = (point[0]! * a + point[1]! * b + point[2]! * c + d) / (a * a + b * b + c * c);
+    const position = [point[0]! - height * a, point[1]! - height * b, point[2]! - height * c];
+    return { id: `${key}[${i}]`, key, index: [i], label: `${key === "planes" ? "plane" : "bound"} ${i}`, position, free: ALL, along: [a, b, c], tint };
+  });
+}

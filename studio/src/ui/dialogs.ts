@@ -1,0 +1,85 @@
+/** Dialogs: each resolves with what was chosen, or null. */
+
+import { button, toggle } from "./controls";
+import { h, type Child } from "./dom";
+
+/** Show a dialog with these contents and buttons; resolves with the button's value, null for Escape. */
+export function ask<T extends string>(root: HTMLElement, title: string, body: readonly Child[], buttons: readonly (readonly [T, string])[]): Promise<T | null> {
+  return new Promise((done) => {
+    const dialog = h("dialog", { "aria-label": title });
+    const finish = (value: T | null) => {
+      dialog.close();
+      dialog.remove();
+      done(value);
+    };
+    const form = h("form", { method: "dialog" },
+      h("h2", {}, title), h("div", { class: "dialog-body" }, ...body),
+      h("div", { class: "dialog-buttons" }, ...buttons.map(([value, label], i) => {
+        const choice = button(label, label, () => finish(value), i === 0 ? "button primary" : "button");
+        return choice;
+      })));
+    form.addEventListener("submit", (event) => {
+      event.preventDefault();
+      finish(buttons[0]?.[0] ?? null);
+    });
+    dialog.addEventListener("cancel", (event) => {
+      event.preventDefault();
+      finish(null);
+    });
+    dialog.addEventListener("keydown", (event) => event.stopPropagation());
+    dialog.append(form);
+    root.append(dialog);
+    dialog.showModal();
+  });
+}
+
+/** Ask for a file name. */
+export async function askName(root: HTMLElement, title: string, name: string): Promise<string | null> {
+  const field = h("input", { type: "text", value: name, "aria-label": "File name", spellcheck: "false" });
+  const answer = await ask(root, title, [h("label", { class: "field wide" }, h("span", {}, "File name"), field), h("p", { class: "hint" }, "Ends in .toml or .json; saved in the folder that the studio was opened on.")], [["save", "Save"], ["cancel", "Cancel"]]);
+  return answer === "save" ? field.value.trim() : null;
+}
+
+export interface PictureChoice {
+  readonly width: number;
+  readonly height: number;
+  readonly background: "theme" | "white" | "none";
+  readonly legend: boolean;
+}
+
+/** Ask for the size and background of a picture. */
+export async function askPicture(root: HTMLElement, width: number, height: number): Promise<PictureChoice | null> {
+  const size = (name: string, value: number) => h("input", { type: "number", class: "number", min: 64, max: 8192, step: 1, value, "aria-label": name });
+  const across = size("Width in pixels", Math.round(width)), down = size("Height in pixels", Math.round(height));
+  const set = (w: number, t: number) => {
+    across.value = String(w);
+    down.value = String(t);
+  };
+  const presets = h("div", { class: "chips" },
+    button("1920 × 1080", "1920 by 1080", () => set(1920, 1080), "chip"), button("3840 × 2160", "3840 by 2160", () => set(3840, 2160), "chip"), button("2000 × 2000", "2000 by 2000", () => set(2000, 2000), "chip"));
+  const background = h("select", { "aria-label": "Background" }, h("option", { value: "theme" }, "As shown"), h("option", { value: "white" }, "White"), h("option", { value: "none" }, "Transparent"));
+  let legend = true;
+  const withLegend = toggle("With legend", (on) => (legend = on));
+  withLegend.update(true);
+  const answer = await ask(root, "Save a picture", [
+    h("div", { class: "pair" }, h("label", { class: "field" }, h("span", {}, "Width"), across), h("label", { class: "field" }, h("span", {}, "Height"), down)),
+    presets, h("label", { class: "row" }, h("span", { class: "caption" }, "Background"), background), withLegend.element,
+  ], [["save", "Save PNG"], ["cancel", "Cancel"]]);
+  if (answer !== "save") return null;
+  const limited = (field: HTMLInputElement, fallback: number) => Math.min(8192, Math.max(64, Math.round(Number(field.value)) || fallback));
+  return { width: limited(across, width), height: limited(down, height), background: background.value as PictureChoice["background"], legend };
+}
+
+const KEYS: readonly (readonly [string, string])[] = [
+  ["Ctrl Z, Ctrl Shift Z", "undo, redo"], ["Ctrl S, Ctrl O", "save, open"], ["1 2 3 4", "views: oblique, top, side, back"], ["P", "perspective or parallel"],
+  ["F", "fit"], ["N", "control net"], ["I", "iso-curves"], ["W", "wireframe"], ["Z", "zebra"], ["C", "compare: next arrangement"],
+  ["arrows", "turn the view, or move the chosen point by the snap step"], ["Shift arrows", "pan, or move by ten steps"], ["+ −", "zoom"],
+  ["[ ]", "choose the control point before or after"], ["Esc", "let go of the point"], ["Enter", "pin the point in the middle of the picture"],
+];
+
+export const showHelp = (root: HTMLElement): Promise<string | null> =>
+  ask(root, "Keys and pointer", [
+    h("p", {}, "Drag to turn, with Shift or the right button to pan, wheel to zoom. Drag a control point to move it. Click the surface to pin a point."),
+    h("dl", { class: "keys-list" }, ...KEYS.flatMap(([keys, what]) => [h("dt", {}, keys), h("dd", {}, what)])),
+    h("p", { class: "hint" }, "Grey is where a quantity has no value. The signs of H, κ1, κ2 and S follow the normal, which points along Su × Sv unless turned."),
+  ], [["close", "Close"]]);

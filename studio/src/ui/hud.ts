@@ -1,0 +1,115 @@
+/** What lies over the picture: view buttons, cell labels, axes, pins, the point under the pointer, the smallest radius. */
+
+import type { State, Store } from "../app/state";
+import { QUANTITY } from "../numerics/quantity";
+import { toScene, type Frame } from "../view/frame";
+import type { Sharpest } from "../view/radius";
+import type { Stage } from "../view/stage";
+import { still } from "../app/pointer";
+import { button, segmented } from "./controls";
+import { h, icon, ICONS } from "./dom";
+import { short, symbol, unitText, valueText } from "./format";
+import { probe } from "./probe";
+
+const SVG = "http://www.w3.org/2000/svg";
+const AXES = ["x", "y", "z"] as const;
+
+export class Hud {
+  readonly element = h("div", { class: "hud" });
+  private readonly cells = h("div", { class: "cells" });
+  private readonly marks = h("div", { class: "marks-layer" });
+  private readonly tip = h("div", { class: "tip", hidden: true, role: "status" });
+  private readonly triad = document.createElementNS(SVG, "svg");
+  private readonly projection;
+
+  constructor(store: Store, private readonly stage: Stage, act: { fit(): void; redraw(): void }) {
+    const view = (name: "iso" | "top" | "side" | "back", label: string, title: string) => button(label, title, () => {
+      stage.view(name, still());
+      act.redraw();
+    }, "button view-button");
+    this.projection = segmented("Projection", [
+      { value: "perspective" as const, label: "Perspective" }, { value: "orthographic" as const, label: "Parallel", title: "Orthographic: lengths in the plane of the picture are true" },
+    ], (projection) => store.setting({ projection }));
+    this.triad.setAttribute("viewBox", "-32 -32 64 64");
+    this.triad.setAttribute("class", "triad");
+    this.triad.setAttribute("aria-hidden", "true");
+    this.element.append(this.cells, this.marks, this.tip, this.triad,
+      h("div", { class: "view-tools", role: "toolbar", "aria-label": "View" },
+        view("iso", "Oblique", "Oblique view (1)"), view("top", "Top", "Top view, along −z (2)"), view("side", "Side", "Side view, along +y (3)"), view("back", "Back", "Back view, along −x (4)"),
+        button(icon(ICONS.fit), "Fit (F)", act.fit, "button square"), this.projection.element));
+  }
+
+  labels(names: readonly string[]): void {
+    this.cells.replaceChildren(...this.stage.cells.map((cell, i) => {
+      const box = h("div", { class: "cell" }, names[i] ? h("span", { class: "cell-label" }, names[i]!) : null);
+      Object.assign(box.style, { left: `${cell.x}px`, top: `${cell.y}px`, width: `${cell.width}px`, height: `${cell.height}px` });
+      return box;
+    }));
+  }
+
+  refresh(state: State, frame: Frame, sharp: readonly { cell: number; at: Sharpest }[]): void {
+    this.projection.update(state.settings.projection);
+    this.drawTriad();
+    const marks: HTMLElement[] = [];
+    const put = (cell: number, point: readonly number[], element: HTMLElement) => {
+      const p = this.stage.project(cell, toScene(frame, point)), box = this.stage.cells[cell]!;
+      if (p.x < box.x || p.x > box.x + box.width || p.y < box.y || p.y > box.y + box.height) return;
+      element.style.transform = `translate(${p.x.toFixed(1)}px, ${p.y.toFixed(1)}px)`;
+      marks.push(element);
+    };
+    const main = this.mainCell(state);
+    state.pins.forEach((pin, i) => {
+      if (pin.patch < state.model.patches.length) put(main, Array.from(probe(state.model, pin)["point"]!), h("span", { class: "pin" }, h("b", {}, i + 1)));
+    });
+    const unit = state.model.unit ? ` ${state.model.unit}` : "";
+    for (const { cell, at } of sharp) put(cell, at.point, h("span", { class: "sharpest" }, h("b", {}, "r", h("sub", {}, "min"), ` = ${short(at.radius)}${unit}`)));
+    this.marks.replaceChildren(...marks);
+    this.showTip(state);
+  }
+
+  /** The cell that shows the model itself. */
+  private mainCell(state: State): number {
+    return state.compare === "before" ? Math.min(1, this.stage.cells.length - 1) : 0;
+  }
+
+  private showTip(state: State): void {
+    const { hover } = state;
+    if (!hover || hover.patch >= state.model.patches.length) return void (this.tip.hidden = true);
+    const piece = this.stage.cells[hover.cell]?.pieces[hover.patch];
+    if (!piece?.patch) return void (this.tip.hidden = true);
+    const sample = probe({ ...state.model, patches: [piece.patch] }, { ...hover, patch: 0 });
+    const keys = [...new Set([state.settings.quantity === "none" ? "gaussian" : state.settings.quantity, "gaussian", "mean", "hk_type", "shape_class"])];
+    const row = (label: Node | string, value: string, unit = "") => h("tr", {}, h("th", {}, label), h("td", {}, value, unit ? h("span", { class: "unit" }, unit) : null));
+    const point = sample["point"]!;
+    this.tip.replaceChildren(
+      h("div", { class: "tip-title" }, `u = ${short(hover.u)}, v = ${short(hover.v)}`),
+      h("div", { class: "tip-point" }, `(${Array.from(point, (x) => short(x)).join(", ")})${state.model.unit ? ` ${state.model.unit}` : ""}`),
+      h("table", {}, ...keys.map((key) => {
+        const q = QUANTITY[key]!;
+        return row(q.colour === "classes" ? q.name : symbol(q.latex), valueText(q, sample[key]![0]!), unitText(q, state.model.unit));
+      })));
+    this.tip.hidden = false;
+    const bound = this.element.getBoundingClientRect(), size = this.tip.getBoundingClientRect();
+    const x = hover.x + 18 + size.width > bound.width ? hover.x - 18 - size.width : hover.x + 18;
+    const y = Math.min(Math.max(6, hover.y + 14), bound.height - size.height - 6);
+    this.tip.style.transform = `translate(${Math.round(x)}px, ${Math.round(y)}px)`;
+  }
+
+  private drawTriad(): void {
+    const { right, up, towards } = this.stage.orbit.axes();
+    const parts = AXES.map((name, i) => {
+      const get = (v: { x: number; y: number; z: number }) => [v.x, v.y, v.z][i]!;
+      return { name, x: 20 * get(right), y: -20 * get(up), depth: get(towards) };
+    }).sort((a, b) => a.depth - b.depth);
+    this.triad.replaceChildren(...parts.flatMap(({ name, x, y }) => {
+      const line = document.createElementNS(SVG, "line"), text = document.createElementNS(SVG, "text");
+      line.setAttribute("x2", String(x));
+      line.setAttribute("y2", String(y));
+      line.setAttribute("class", `axis-${name}`);
+      text.setAttribute("x", String(x * 1.32));
+      text.setAttribute("y", String(y * 1.32));
+      text.textContent = name;
+      return [line, text];
+    }));
+  }
+}

@@ -1,0 +1,247 @@
+/** The right panel: shape parameters, colour, overlays, light and section. */
+
+import type { Settings } from "../app/settings";
+import { activePatch, shapeSets, type State, type Store } from "../app/state";
+import { KINDS, SHAPE_RANGE, shapeOf, valueOf, type Patch } from "../numerics/model";
+import { QUANTITIES, type Quantity } from "../numerics/quantity";
+import { lineColour } from "../view/overlays";
+import { button, choice, numberField, section, segmented, slider, toggle, type Control } from "./controls";
+import { h } from "./dom";
+import { capital, symbol } from "./format";
+
+const LATEX = {
+  4: [["\\alpha_1", "alpha 1"], ["\\zeta_1", "zeta 1"], ["\\alpha_2", "alpha 2"], ["\\zeta_2", "zeta 2"]],
+  2: [["\\alpha", "alpha"], ["\\zeta", "zeta"]],
+} as const;
+
+type Binding = (settings: Settings, dark: boolean) => void;
+
+export class Inspector {
+  readonly element = h("aside", { class: "panel right", "aria-label": "Shape and analysis" });
+  private readonly shape = h("div", { class: "shape" });
+  private readonly bindings: Binding[] = [];
+  private controls: Control<number>[] = [];
+  private shapeFor = "";
+  private fields: { readonly key: string; readonly control: Control<number> }[] = [];
+
+  constructor(private readonly store: Store) {
+    this.element.append(
+      section("Shape", true, this.shape),
+      section("Colour", true, ...this.colour()),
+      section("Show", true, ...this.overlays()),
+      section("Light lines", true, ...this.stripes()),
+      section("Section", false, ...this.cut()),
+    );
+    store.subscribe((now, before) => {
+      if (now.model !== before.model || now.patch !== before.patch) this.showShape(now);
+    });
+  }
+
+  /** Show the settings; `dark` is the theme in force. */
+  refresh(state: State, dark: boolean): void {
+    for (const bind of this.bindings) bind(state.settings, dark);
+    this.showShape(state);
+  }
+
+  private showShape(state: State): void {
+    const patch = activePatch(state), values = shapeOf(patch);
+    const free = patch["unchecked_shape"] === true;
+    const dimensions = Object.entries(KINDS[patch.kind]!.fields).filter(([, f]) => f.type === "number" || f.type === "positive").map(([key]) => key);
+    const form = `${patch.kind} ${values.length} ${free}`;
+    if (form !== this.shapeFor) {
+      this.shapeFor = form;
+      this.build(patch, values.length as 0 | 2 | 4, dimensions, free);
+    }
+    values.forEach((value, i) => this.controls[i]?.update(value));
+    for (const { key, control } of this.fields) control.update(valueOf(patch, key) as number);
+    const now = JSON.stringify(values);
+    for (const chip of this.shape.querySelectorAll<HTMLElement>(".chip")) chip.setAttribute("aria-pressed", String(chip.dataset["shape"] === now));
+  }
+
+  private build(patch: Patch, count: 0 | 2 | 4, dimensions: readonly string[], free: boolean): void {
+    const { store } = this;
+    const change = (i: number, value: number) => {
+      const now = activePatch(store.state);
+      store.editPatch({ ...now, shape: shapeOf(now).map((x, k) => (k === i ? value : x)) }, `shape ${i}`);
+    };
+    this.controls = count === 0 ? [] : LATEX[count].map(([latex, name], i) => slider({
+      label: symbol(latex), name, min: SHAPE_RANGE[0], max: SHAPE_RANGE[1], step: 0.01, marks: [-4, -3, -2, -1, 0, 1], hard: !free,
+      onInput: (value) => change(i, value), onSettle: () => store.settle(),
+    }));
+    const along = count === 4 ? (patch.kind === "ruled" ? ["first curve", "second curve"] : ["along u", "along v"]) : [""];
+    const rows: (HTMLElement | string)[] = [];
+    this.controls.forEach((control, i) => {
+      if (i % 2 === 0 && along[i / 2]) rows.push(h("div", { class: "subtitle" }, along[i / 2]!));
+      rows.push(control.element);
+    });
+    this.fields = dimensions.map((key) => {
+      const act = (value: number, gesture: string | null) => store.editPatch({ ...activePatch(store.state), [key]: value }, gesture);
+      if (key === "scale") {
+        const control = slider({
+          label: symbol("\\lambda"), name: "lambda", min: 0.1, max: 4, step: 0.01, marks: [1, 1.5, 3],
+          onInput: (value) => act(value, "scale"), onSettle: () => store.settle(),
+        });
+        return { key, control };
+      }
+      const positive = KINDS[patch.kind]!.fields[key]!.type === "positive";
+      return { key, control: numberField({ label: capital(key), name: capital(key), positive, step: 0.1, onChange: (value) => act(value, null) }) };
+    });
+    if (this.fields.length) rows.push(h("div", { class: "subtitle" }, patch.kind === "swung" ? "scale of the trajectory" : "dimensions"), ...this.fields.map((f) => f.control.element));
+    const sets = shapeSets(count);
+    if (sets.length) {
+      rows.push(h("div", { class: "subtitle" }, "sets of the thesis"), h("div", { class: "chips" }, ...[...sets, Array.from({ length: count }, () => 0)].map((set) => {
+        const chip = button(`(${set.join(", ").replaceAll("-", "−")})`, `Set the shape parameters to ${set.join(", ")}`, () => store.editPatch({ ...activePatch(store.state), shape: set }), "chip");
+        chip.dataset["shape"] = JSON.stringify(set);
+        return chip;
+      })));
+    }
+    if (!rows.length) rows.push(h("p", { class: "hint" }, "This surface has no shape parameters: drag its control points."));
+    this.shape.replaceChildren(...rows);
+  }
+
+  private colour(): (HTMLElement | string)[] {
+    const { store } = this;
+    const group = (label: string, test: (q: Quantity) => boolean) => ({
+      label, options: QUANTITIES.filter((q) => q.colour !== "vector" && test(q)).map((q) => ({ value: q.key, label: `${capital(q.name)}${q.colour === "classes" ? "" : `  ${q.symbol}`}` })),
+    });
+    const form = (q: Quantity) => "EFGLMN".includes(q.key);
+    const invariant = (q: Quantity) => /^(beta|gamma)\d/.test(q.key);
+    const quantity = choice("Colour by", [
+      { label: "", options: [{ value: "none", label: "No colour" }] },
+      group("Curvature", (q) => q.colour !== "classes" && !form(q) && !invariant(q)),
+      group("Types", (q) => q.colour === "classes"),
+      group("Invariants, plane metric", (q) => invariant(q) && !q.key.endsWith("_surface")),
+      group("Invariants, surface metric", (q) => q.key.endsWith("_surface")),
+      group("Fundamental forms", form),
+    ], (key) => store.setting({ quantity: key, range: store.state.settings.range === "fixed" ? "robust" : store.state.settings.range }));
+    const range = segmented("Range of colours", [
+      { value: "robust" as const, label: "Percentiles", title: "Leave out a few extreme values at either end" },
+      { value: "full" as const, label: "All", title: "From the least to the greatest value" },
+      { value: "fixed" as const, label: "Fixed", title: "Ends given by hand" },
+    ], (value) => store.setting({ range: value }));
+    const cut = slider({ label: "cut", name: "Percentile cut at either end", min: 0, max: 20, step: 0.5, marks: [2, 5, 10], hard: true, onInput: (percentile) => store.setting({ percentile }) });
+    const low = numberField({ label: "from", name: "Lowest colour", onChange: (value) => store.setting({ low: value }) });
+    const high = numberField({ label: "to", name: "Highest colour", onChange: (value) => store.setting({ high: value }) });
+    const fixed = h("div", { class: "pair" }, low.element, high.element);
+    const contours = toggle("Contour lines", (on) => store.setting({ contours: on }), undefined, "Ten steps from end to end");
+    this.bindings.push((s) => {
+      const q = QUANTITIES.find((one) => one.key === s.quantity);
+      const real = q !== undefined && q.colour !== "classes";
+      quantity.update(s.quantity);
+      range.update(s.range);
+      cut.update(s.percentile);
+      low.update(s.low);
+      high.update(s.high);
+      contours.update(s.contours);
+      range.element.hidden = contours.element.hidden = !real;
+      cut.element.hidden = !real || s.range !== "robust";
+      fixed.hidden = !real || s.range !== "fixed";
+    });
+    return [quantity.element, range.element, cut.element, fixed, contours.element];
+  }
+
+  private overlays(): HTMLElement[] {
+    const { store } = this;
+    const rule = (...names: Parameters<typeof lineColour>[0][]) => {
+      const box = h("span", { class: "keys" }, ...names.map(() => h("span", { class: "key" })));
+      this.bindings.push((_, dark) => names.forEach((name, i) => ((box.children[i] as HTMLElement).style.background = lineColour(name, dark))));
+      return box;
+    };
+    const flag = (key: "net" | "curves" | "directions" | "normals" | "zeroK" | "zeroH" | "minRadius" | "wireframe", label: Node | string, swatch?: HTMLElement, hint = "") => {
+      const control = toggle(label, (on) => store.setting({ [key]: on }), swatch, hint);
+      this.bindings.push((s) => control.update(s[key]));
+      return control.element;
+    };
+    const math = (latex: string, ...rest: string[]) => h("span", {}, symbol(latex), ...rest);
+    const combs = segmented("Combs along iso-curves", [
+      { value: "off" as const, label: "Off" }, { value: "u" as const, label: h("i", {}, "u") }, { value: "v" as const, label: h("i", {}, "v") }, { value: "both" as const, label: "Both" },
+    ], (value) => store.setting({ combs: value }));
+    const scale = slider({ label: "size", name: "Size of the combs", min: 0.1, max: 3, step: 0.1, marks: [1], onInput: (combScale) => store.setting({ combScale }) });
+    this.bindings.push((s) => {
+      combs.update(s.combs);
+      scale.update(s.combScale);
+      scale.element.hidden = s.combs === "off";
+    });
+    return [
+      h("div", { class: "switches" },
+        flag("net", "Control net", rule("net")),
+        flag("curves", "Iso-curves"),
+        flag("directions", "Principal directions", rule("first", "second"), "Strong: direction of κ1; light: of κ2"),
+        flag("normals", "Normals", rule("normals")),
+        flag("zeroK", math("K", " = 0"), rule("zeroK"), "Parabolic lines"),
+        flag("zeroH", math("H", " = 0"), rule("zeroH")),
+        flag("minRadius", "Smallest radius"),
+        flag("wireframe", "Wireframe")),
+      h("div", { class: "row" }, h("span", { class: "caption" }, "Combs"), combs.element), scale.element,
+    ];
+  }
+
+  private stripes(): HTMLElement[] {
+    const { store } = this;
+    const kind = segmented("Light lines", [
+      { value: "none" as const, label: "Off" },
+      { value: "zebra" as const, label: "Zebra", title: "Stripes of a striped room, reflected" },
+      { value: "isophotes" as const, label: "Isophotes", title: "Lines of equal angle between normal and light" },
+      { value: "reflection" as const, label: "Reflect", title: "Reflections of parallel tube lights" },
+      { value: "highlight" as const, label: "Highlight", title: "Highlight lines: where the normal meets a tube light; the same from everywhere" },
+    ], (stripes) => store.setting({ stripes }));
+    const density = slider({ label: "lines", name: "Number of lines", min: 4, max: 80, step: 1, onInput: (value) => store.setting({ density: value }), onSettle: () => store.settle() });
+    const azimuth = slider({ label: "turn", name: "Azimuth of the light in degrees", min: -180, max: 180, step: 1, marks: [-90, 0, 90], onInput: (lightAzimuth) => store.setting({ lightAzimuth }) });
+    const elevation = slider({ label: "height", name: "Height of the light in degrees", min: -90, max: 90, step: 1, marks: [0, 45], onInput: (lightElevation) => store.setting({ lightElevation }) });
+    const ball = h("div", { class: "light-ball", title: "Drag the light" }, h("span", {}));
+    const place = (event: PointerEvent) => {
+      const box = ball.getBoundingClientRect();
+      const x = ((event.clientX - box.left) / box.width) * 2 - 1, y = 1 - ((event.clientY - box.top) / box.height) * 2;
+      const r = Math.min(1, Math.hypot(x, y));
+      store.setting({ lightAzimuth: Math.round((Math.atan2(y, x) * 180) / Math.PI), lightElevation: Math.round((Math.acos(r) * 180) / Math.PI) });
+    };
+    ball.addEventListener("pointerdown", (event) => {
+      ball.setPointerCapture(event.pointerId);
+      place(event);
+    });
+    ball.addEventListener("pointermove", (event) => {
+      if (ball.hasPointerCapture(event.pointerId)) place(event);
+    });
+    const more = h("div", { class: "light" }, ball, h("div", { class: "stack" }, azimuth.element, elevation.element));
+    this.bindings.push((s) => {
+      kind.update(s.stripes);
+      density.update(s.density);
+      azimuth.update(s.lightAzimuth);
+      elevation.update(s.lightElevation);
+      density.element.hidden = more.hidden = s.stripes === "none";
+      const a = (s.lightAzimuth * Math.PI) / 180, r = Math.cos((s.lightElevation * Math.PI) / 180);
+      const dot = ball.firstElementChild as HTMLElement;
+      dot.style.left = `${50 + 50 * r * Math.cos(a)}%`;
+      dot.style.top = `${50 - 50 * r * Math.sin(a)}%`;
+      dot.classList.toggle("under", s.lightElevation < 0);
+    });
+    return [kind.element, density.element, more];
+  }
+
+  private cut(): HTMLElement[] {
+    const { store } = this;
+    const on = toggle("Section by a plane", (section) => store.setting({ section }));
+    const clip = toggle("Cut the front away", (value) => store.setting({ clip: value }));
+    const axis = segmented("Normal of the plane", [{ value: "x" as const, label: "x" }, { value: "y" as const, label: "y" }, { value: "z" as const, label: "z" }], (sectionAxis) => store.setting({ sectionAxis }));
+    this.sectionAt = h("div", {});
+    this.bindings.push((s) => {
+      on.update(s.section);
+      clip.update(s.clip);
+      axis.update(s.sectionAxis);
+      clip.element.hidden = axis.element.hidden = this.sectionAt.hidden = !s.section;
+      this.offset?.update(s.sectionAt);
+    });
+    return [on.element, axis.element, this.sectionAt, clip.element];
+  }
+
+  private sectionAt = h("div", {});
+  private offset: Control<number> | null = null;
+
+  /** Let the section plane run over this range of its axis. */
+  sectionRange(low: number, high: number): void {
+    const step = 10 ** Math.floor(Math.log10(Math.max(high - low, 1e-12) / 100));
+    this.offset = slider({ label: "at", name: "Place of the section plane", min: low, max: high, step, onInput: (sectionAt) => this.store.setting({ sectionAt }) });
+    this.offset.update(this.store.state.settings.sectionAt);
+    this.sectionAt.replaceChildren(this.offset.element);
+  }
+}

@@ -1,0 +1,89 @@
+/** What the colours mean: a scale with histogram for real quantities, a list of types for classes. */
+
+import { QUANTITY } from "../numerics/quantity";
+import type { Range } from "../view/range";
+import { BACK, classColours, css, FRONT, mapColours, UNDEFINED } from "./colours";
+import { h } from "./dom";
+import { capital, percent, short, symbol, unitText } from "./format";
+
+export class Legend {
+  readonly element = h("figure", { class: "legend", "aria-label": "Legend" });
+  private readonly bar = h("canvas", { class: "colours", width: 1, height: 256 });
+  private readonly plot = h("canvas", { class: "histogram", width: 96, height: 192, "aria-hidden": "true" });
+  private shown = "";
+  private ticks: HTMLElement[] = [];
+  private readonly note = h("figcaption", {});
+
+  /** Show a real quantity's scale. */
+  real(key: string, range: Range, unit: string, dark: boolean): void {
+    const q = QUANTITY[key]!;
+    if (this.shown !== `${key} ${unit}`) {
+      this.shown = `${key} ${unit}`;
+      const context = this.bar.getContext("2d")!;
+      mapColours(q).forEach((colour, i, all) => {
+        context.fillStyle = css(colour);
+        context.fillRect(0, all.length - 1 - i, 1, 1);
+      });
+      this.ticks = Array.from({ length: 5 }, () => h("span", { class: "tick" }));
+      const units = unitText(q, unit);
+      this.element.replaceChildren(
+        h("div", { class: "legend-title" }, h("span", {}, capital(q.name)), h("span", { class: "legend-symbol" }, symbol(q.latex), units ? h("span", { class: "unit" }, units) : null)),
+        h("div", { class: "scale" }, this.plot, this.bar, h("div", { class: "ticks" }, ...this.ticks)),
+        this.note,
+      );
+    }
+    const { low, high } = range;
+    this.ticks.forEach((tick, i) => {
+      const share = i / (this.ticks.length - 1);
+      tick.textContent = short(low + (high - low) * share, 3);
+      tick.style.bottom = `${100 * share}%`;
+    });
+    this.histogram(range, dark);
+    const lines: (HTMLElement | string)[] = [h("div", {}, `${short(range.least, 3)} to ${short(range.most, 3)}, mean ${short(range.mean, 3)}`)];
+    if (range.below + range.above > 0) lines.push(h("div", {}, `${percent(range.below + range.above)} beyond the ends`));
+    if (range.missing) lines.push(h("div", { class: "missing" }, swatch(css(UNDEFINED)), `${range.missing} of ${range.count} points undefined`));
+    this.note.replaceChildren(...lines);
+  }
+
+  /** Show the types that occur, with their share of the points. */
+  classes(key: string, values: readonly Float32Array[]): void {
+    this.shown = "";
+    const q = QUANTITY[key]!, colours = classColours(key), counts = new Array<number>(colours.length).fill(0);
+    let total = 0;
+    for (const array of values) {
+      total += array.length;
+      for (const code of array) counts[code]!++;
+    }
+    const rows = q.classes.map((name, code) => ({ name, code })).filter(({ code }) => code > 0 || counts[0]! > 0);
+    this.element.replaceChildren(
+      h("div", { class: "legend-title" }, h("span", {}, capital(q.name))),
+      h("ul", { class: "types" }, ...rows.map(({ name, code }) =>
+        h("li", { class: counts[code] ? "" : "absent" }, swatch(css(colours[code]!)), h("span", {}, name), h("span", { class: "share" }, counts[code] ? percent(counts[code]! / total) : "–")))),
+    );
+  }
+
+  /** No quantity: the two sides. */
+  plain(): void {
+    if (this.shown === "plain") return;
+    this.shown = "plain";
+    this.element.replaceChildren(h("ul", { class: "types" },
+      h("li", {}, swatch(css(FRONT)), h("span", {}, "side the normal points to")), h("li", {}, swatch(css(BACK)), h("span", {}, "other side"))));
+  }
+
+  private histogram(range: Range, dark: boolean): void {
+    const { width, height } = this.plot, context = this.plot.getContext("2d")!;
+    context.clearRect(0, 0, width, height);
+    const most = Math.max(...range.histogram, 1), step = height / range.histogram.length;
+    context.fillStyle = dark ? "rgb(255 255 255 / 38%)" : "rgb(20 30 45 / 30%)";
+    range.histogram.forEach((count, i) => {
+      const length = count ? Math.max(2, Math.sqrt(count / most) * width) : 0;
+      context.fillRect(width - length, height - (i + 1) * step, length, step - 1);
+    });
+  }
+}
+
+const swatch = (colour: string): HTMLElement => {
+  const box = h("span", { class: "swatch" });
+  box.style.background = colour;
+  return box;
+};

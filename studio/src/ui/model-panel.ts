@@ -1,0 +1,169 @@
+/** The left panel: patches, construction, and the control points as numbers. */
+
+import { activePatch, starterOf, type State, type Store } from "../app/state";
+import { handles, moved, replaced, type Handle } from "../edit/handles";
+import { build, KINDS, UNITS, valueOf, type Patch } from "../numerics/model";
+import { choice, numberField, section, segmented, toggle, type Control } from "./controls";
+import { h } from "./dom";
+import { capital } from "./format";
+
+export class ModelPanel {
+  readonly element = h("aside", { class: "panel left", "aria-label": "Model" });
+  private readonly patches = h("div", { class: "patches", role: "listbox", "aria-label": "Patches" });
+  private readonly kind: Control<string>;
+  private readonly unit: Control<string>;
+  private readonly flip: Control<boolean>;
+  private readonly basis: Control<string>;
+  private readonly about = h("p", { class: "hint" });
+  private readonly points = h("div", { class: "points" });
+  private readonly locks: Control<boolean>[];
+  private readonly snap: Control<boolean>;
+  private readonly step: Control<number>;
+  private list: Handle[] = [];
+  private shownPatch: Patch | null = null;
+  private tab = "";
+  private coordinates: Control<number>[] = [];
+
+  constructor(private readonly store: Store) {
+    const groups = [
+      { label: "Constructions", options: kinds(true) },
+      { label: "Closed forms", options: kinds(false) },
+    ];
+    this.kind = choice("Construction", groups, (kind) => this.become(kind));
+    this.unit = choice("Unit of length", [{ label: "", options: [{ value: "", label: "no unit" }, ...UNITS.map((u) => ({ value: u, label: u }))] }], (unit) => store.edit({ ...store.state.model, unit }));
+    this.flip = toggle("Turn the normal", (flip) => store.editPatch({ ...activePatch(store.state), flip }), undefined, "The signs of H, κ1, κ2 and S follow the normal");
+    this.basis = segmented("Basis", [
+      { value: "trigonometric", label: "Trigonometric", title: "Quintic trigonometric Bézier basis" },
+      { value: "bernstein", label: "Bernstein", title: "The classical basis on the same points, to compare with" },
+    ], (basis) => store.editPatch({ ...activePatch(store.state), basis }));
+    this.locks = ["x", "y", "z"].map((axis, i) => toggle(axis, (on) => {
+      const locks = [...store.state.settings.locks] as [boolean, boolean, boolean];
+      locks[i] = on;
+      store.setting({ locks });
+    }, undefined, `Keep ${axis} while dragging`));
+    this.snap = toggle("Snap to", (snap) => store.setting({ snap }), undefined, "Round coordinates while dragging");
+    this.step = numberField({ label: "", name: "Snap step", positive: true, onChange: (snapStep) => store.setting({ snapStep }) });
+    this.element.append(
+      this.patches,
+      h("div", { class: "stack" },
+        h("label", { class: "row" }, h("span", { class: "caption" }, "Construction"), this.kind.element),
+        this.about,
+        h("label", { class: "row" }, h("span", { class: "caption" }, "Unit"), this.unit.element),
+        h("div", { class: "row basis" }, h("span", { class: "caption" }, "Basis"), this.basis.element),
+        this.flip.element),
+      section("Control points", true, this.points,
+        h("div", { class: "drag-tools" },
+          h("div", { class: "locks", role: "group", "aria-label": "Axes kept while dragging" }, h("span", { class: "caption" }, "Keep"), ...this.locks.map((l) => l.element)),
+          h("div", { class: "snap" }, this.snap.element, this.step.element))),
+    );
+    store.subscribe((now, before) => {
+      if (now.model !== before.model || now.patch !== before.patch || now.selected !== before.selected || now.settings !== before.settings) this.refresh(now);
+    });
+  }
+
+  refresh(state: State): void {
+    const patch = activePatch(state), kind = KINDS[patch.kind]!;
+    this.kind.update(patch.kind);
+    this.unit.update(state.model.unit);
+    this.flip.update(valueOf(patch, "flip") === true);
+    this.basis.update(String(valueOf(patch, "basis") ?? ""));
+    this.basis.element.parentElement!.hidden = !kind.fields["basis"];
+    this.about.textContent = capital(kind.title);
+    state.settings.locks.forEach((on, i) => this.locks[i]!.update(on));
+    this.snap.update(state.settings.snap);
+    this.step.update(state.settings.snapStep);
+    this.patches.hidden = state.model.patches.length < 2;
+    this.patches.replaceChildren(...state.model.patches.map((p, i) =>
+      h("button", { type: "button", class: "patch", role: "option", "aria-selected": i === state.patch, on: { click: () => this.store.set({ patch: i, selected: null }) } },
+        h("span", {}, p.name), h("small", {}, p.kind.replaceAll("_", " ")))));
+    this.showPoints(state, patch);
+  }
+
+  private showPoints(state: State, patch: Patch): void {
+    if (patch !== this.shownPatch) {
+      try {
+        this.list = handles(patch, build(patch)).filter((handle) => !handle.mirrored);
+      } catch {
+        this.list = [];
+      }
+      this.shownPatch = patch;
+    }
+    const group = this.points.parentElement!.parentElement!;
+    group.hidden = !this.list.length;
+    if (!this.list.length) return;
+    const chosen = this.list.find((handle) => handle.id === state.selected?.replace("′", ""));
+    const keys = [...new Set(this.list.map((handle) => handle.key))];
+    if (chosen) this.tab = chosen.key;
+    if (!keys.includes(this.tab)) this.tab = keys[0]!;
+    const tabs = segmented("Which points", keys.map((key) => ({ value: key, label: capital(key) })), (key) => {
+      this.tab = key;
+      this.store.set({ selected: null });
+      this.showPoints(this.store.state, patch);
+    });
+    tabs.update(this.tab);
+    const shown = this.list.filter((handle) => handle.key === this.tab);
+    const columns = Math.max(...shown.map((handle) => handle.index.at(-1)!)) + 1;
+    const grid = h("div", { class: "net", role: "grid", "aria-label": `${capital(this.tab)}: choose one` },
+      ...shown.map((handle, at) => h("button", {
+        type: "button", class: "knob", title: handle.label, "aria-label": handle.label, "aria-pressed": handle === chosen,
+        tabindex: handle === chosen || (!chosen && at === 0) ? 0 : -1,
+        on: { click: () => this.store.set({ selected: handle === chosen ? null : handle.id }) },
+      }, handle.index.length > 1 ? "" : handle.index[0]!)));
+    grid.style.setProperty("--columns", String(columns));
+    grid.addEventListener("keydown", (event) => this.walk(event, shown, columns));
+    const focused = (this.points.getRootNode() as Document | ShadowRoot).activeElement;
+    const inGrid = focused?.classList.contains("knob") ?? false;
+    const fieldAt = this.coordinates.findIndex((c) => c.element.contains(focused));
+    this.coordinates = chosen ? this.fields(chosen) : [];
+    this.points.replaceChildren(
+      keys.length > 1 ? tabs.element : "", grid,
+      chosen ? h("div", { class: "coordinates" }, h("span", { class: "caption" }, chosen.label), ...this.coordinates.map((c) => c.element))
+        : h("p", { class: "hint" }, `${shown.length} points: choose one here, or drag one in the picture`));
+    if (inGrid) grid.querySelector<HTMLElement>('[tabindex="0"]')?.focus();
+    if (fieldAt >= 0) this.coordinates[fieldAt]?.element.querySelector("input")?.focus();
+  }
+
+  private fields(handle: Handle): Control<number>[] {
+    const patch = activePatch(this.store.state);
+    let stored: unknown = valueOf(patch, handle.key);
+    for (const i of handle.index) stored = (stored as unknown[])[i];
+    const values = stored as number[];
+    const names = handle.along ? ["a", "b", "c", "d"] : patch.kind === "swung" ? (handle.key === "profile" ? ["r", "z"] : ["x", "y"]) : ["x", "y", "z"];
+    return values.map((value, i) => {
+      const field = numberField({
+        label: h("i", { class: "math" }, names[i]!), name: `${handle.label} ${names[i]!}`,
+        onChange: (to) => this.store.editPatch(replaced(activePatch(this.store.state), handle.key, handle.index, values.map((x, k) => (k === i ? to : x)))),
+      });
+      field.update(value);
+      return field;
+    });
+  }
+
+  private walk(event: KeyboardEvent, shown: readonly Handle[], columns: number): void {
+    const step = { ArrowRight: 1, ArrowLeft: -1, ArrowDown: columns, ArrowUp: -columns }[event.key];
+    if (!step) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const at = shown.findIndex((handle) => handle.id === this.store.state.selected);
+    const next = shown[Math.min(shown.length - 1, Math.max(0, at + step))]!;
+    this.store.set({ selected: next.id });
+  }
+
+  /** Put the starter of another construction in place of the patch, keeping its name. */
+  private become(kind: string): void {
+    const { name } = activePatch(this.store.state);
+    this.store.set({ selected: null });
+    this.store.editPatch({ ...starterOf(kind).patches[0]!, name });
+  }
+}
+
+/** Move the selected handle by a step in each coordinate. */
+export function nudge(store: Store, by: readonly number[]): void {
+  const patch = activePatch(store.state);
+  const handle = handles(patch, build(patch)).find((one) => one.id === store.state.selected);
+  if (handle) store.editPatch(moved(patch, handle, handle.position.map((x, i) => x + by[i]!)), `nudge ${handle.id}`);
+}
+
+const kinds = (construction: boolean) =>
+  Object.entries(KINDS).filter(([, kind]) => kind.construction === construction)
+    .map(([value]) => ({ value, label: capital(value.replaceAll("_", " ")) }));

@@ -1,0 +1,104 @@
+/** The probe: what is under the pointer, and a table of pinned points. */
+
+import type { Pin, State, Store } from "../app/state";
+import { build, type Model } from "../numerics/model";
+import { QUANTITIES, QUANTITY, type Quantity } from "../numerics/quantity";
+import { analyse, type Sample } from "../numerics/sample";
+import { button, numberField, toggle } from "./controls";
+import { download, fileName, h, icon, ICONS } from "./dom";
+import { capital, short, symbol, unitText, valueText } from "./format";
+
+const USUAL = ["gaussian", "mean", "k1", "k2", "shape_index", "curvedness", "hk_type", "shape_class", "point_type"];
+
+/** Every quantity at one point of a patch. */
+export function probe(model: Model, pin: Pin): Sample {
+  return analyse(build(model.patches[pin.patch]!), [pin.u], [pin.v], true);
+}
+
+export class ProbePanel {
+  readonly element: HTMLElement;
+  private readonly body = h("div", { class: "probe-body" });
+  private readonly count = h("span", { class: "badge" });
+  private all = false;
+  private u = 0.5;
+  private v = 0.5;
+
+  constructor(private readonly store: Store, private readonly unfolded: () => void) {
+    const u = numberField({ label: h("i", { class: "math" }, "u"), name: "u to pin", step: 0.05, onChange: (x) => (this.u = Math.min(1, Math.max(0, x))) });
+    const v = numberField({ label: h("i", { class: "math" }, "v"), name: "v to pin", step: 0.05, onChange: (x) => (this.v = Math.min(1, Math.max(0, x))) });
+    u.update(this.u);
+    v.update(this.v);
+    const more = toggle("All quantities", (on) => {
+      this.all = on;
+      this.refresh(store.state);
+    });
+    const tools = h("div", { class: "probe-tools" },
+      u.element, v.element, button("Pin", "Pin the point at these parameters", () => this.add()),
+      more.element, h("span", { class: "spacer" }),
+      button("CSV", "Save the table as CSV", () => this.save()),
+      button("Clear", "Remove all pins", () => store.set({ pins: [] })));
+    this.element = h("details", { class: "probe" }, h("summary", {}, icon(ICONS.pin), "Probe", this.count, h("span", { class: "hint" }, "click the surface to pin a point")), tools, this.body);
+    this.element.addEventListener("toggle", () => this.unfolded());
+    store.subscribe((now, before) => {
+      if (now.pins.length > before.pins.length) (this.element as HTMLDetailsElement).open = true;
+      if (now.pins !== before.pins || (now.model !== before.model && now.pins.length)) this.refresh(now);
+    });
+  }
+
+  private add(): void {
+    const { pins, patch } = this.store.state;
+    this.store.set({ pins: [...pins, { patch, u: this.u, v: this.v }] });
+  }
+
+  private columns(): { q: Quantity; part: number; head: string }[] {
+    const keys = this.all ? QUANTITIES.map((q) => q.key) : ["point", ...USUAL];
+    return keys.flatMap((key) => {
+      const q = QUANTITY[key]!;
+      return q.components === 1 ? [{ q, part: 0, head: q.symbol }] : ["x", "y", "z"].map((axis, part) => ({ q, part, head: key === "point" ? axis : `${q.symbol} ${axis}` }));
+    });
+  }
+
+  refresh(state: State): void {
+    this.count.textContent = state.pins.length ? String(state.pins.length) : "";
+    if (!state.pins.length) {
+      this.body.replaceChildren();
+      return;
+    }
+    const several = state.model.patches.length > 1, columns = this.columns();
+    const head = h("tr", {}, h("th", {}, "#"), several ? h("th", {}, "patch") : null, h("th", {}, h("i", { class: "math" }, "u")), h("th", {}, h("i", { class: "math" }, "v")),
+      ...columns.map(({ q, head }) => h("th", { title: capital(q.name) },
+        q.components === 1 ? (q.colour === "classes" ? capital(q.name) : symbol(q.latex)) : h("i", { class: "math" }, head),
+        unitText(q, state.model.unit) ? h("span", { class: "unit" }, unitText(q, state.model.unit)) : null)), h("th", {}));
+    const rows = state.pins.map((pin, i) => {
+      const sample = probe(state.model, pin);
+      const remove = button(icon(ICONS.close), `Remove pin ${i + 1}`, () => this.store.set({ pins: state.pins.filter((one) => one !== pin) }), "tiny");
+      return h("tr", {}, h("td", {}, h("span", { class: "pin-number" }, i + 1)), several ? h("td", {}, state.model.patches[pin.patch]!.name) : null,
+        h("td", {}, short(pin.u)), h("td", {}, short(pin.v)),
+        ...columns.map(({ q, part }) => h("td", { class: q.colour === "classes" ? "word" : "" }, valueText(q, sample[q.key]![part]!))), h("td", {}, remove));
+    });
+    this.body.replaceChildren(h("table", {}, h("thead", {}, head), h("tbody", {}, ...rows)));
+  }
+
+  /** The pins with every quantity and digit. */
+  private save(): void {
+    const { model, pins } = this.store.state;
+    const columns = QUANTITIES.flatMap((q) => Array.from({ length: q.components }, (_, part) => ({ q, part })));
+    const name = ({ q, part }: { q: Quantity; part: number }) => (q.components === 1 ? q.key : `${q.key}_${"xyz"[part]!}`);
+    const units = columns.map(({ q }) => [q.key, unitText(q, model.unit)] as const).filter(([, unit]) => unit);
+    const quoted = (text: string) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
+    const lines = [
+      `# ${model.name.replaceAll("\n", " ")}: normal along S_u x S_v, against it on flipped patches`,
+      ...(units.length ? [`# Units: ${[...new Map(units)].map(([key, unit]) => `${key} in ${unit}`).join(", ")}`] : []),
+      ["patch", "u", "v", ...columns.map(name)].join(","),
+      ...pins.map((pin) => {
+        const sample = probe(model, pin);
+        const cell = ({ q, part }: { q: Quantity; part: number }) => {
+          const value = sample[q.key]![part]!;
+          return q.colour === "classes" ? quoted(q.classes[value]!) : Number.isNaN(value) ? "" : String(value);
+        };
+        return [quoted(model.patches[pin.patch]!.name), pin.u, pin.v, ...columns.map(cell)].join(",");
+      }),
+    ];
+    download(`${fileName(model.name)}_probe.csv`, `${lines.join("\n")}\n`, "text/csv");
+  }
+}

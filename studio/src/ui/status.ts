@@ -1,0 +1,73 @@
+/** The bar at the bottom, and the banner for what needs an answer. */
+
+import type { State, Store } from "../app/state";
+import { valueOf } from "../numerics/model";
+import type { Sharpest } from "../view/radius";
+import { button } from "./controls";
+import { h, icon, ICONS } from "./dom";
+import { short } from "./format";
+
+interface Facts {
+  readonly side: number;
+  readonly cost: number;
+  readonly singular: number;
+  readonly points: number;
+  readonly sharp: Sharpest | null;
+  readonly warning: string;
+}
+
+export class StatusBar {
+  readonly element = h("footer", { class: "status" });
+  readonly banner = h("div", { class: "banners" });
+  private readonly left = h("span", {});
+  private readonly warning = h("span", { class: "warning" });
+  private readonly right = h("span", { class: "quiet" });
+  private shown: State["message"] = null;
+  private timer = 0;
+
+  constructor(private readonly store: Store) {
+    this.element.append(this.left, this.warning, h("span", { class: "spacer" }), this.right);
+    store.subscribe((now) => {
+      if (now.message !== this.shown) this.say(now.message);
+    });
+  }
+
+  refresh(state: State, facts: Facts): void {
+    const patch = state.model.patches[state.patch]!, unit = state.model.unit;
+    const side = valueOf(patch, "flip") === true ? "turned: against" : "along";
+    this.left.replaceChildren("Normal ", side, " ", h("i", { class: "math" }, "S"), h("sub", {}, "u"), " × ", h("i", { class: "math" }, "S"), h("sub", {}, "v"), unit ? ` · lengths in ${unit}` : " · no unit",
+      facts.sharp ? ` · smallest radius ${short(facts.sharp.radius)}${unit ? ` ${unit}` : ""} at u = ${short(facts.sharp.u)}, v = ${short(facts.sharp.v)}` : "");
+    const singular = facts.singular ? `${facts.singular} of ${facts.points} points singular (grey)` : "";
+    this.warning.textContent = [singular, facts.warning].filter(Boolean).join(" · ");
+    this.right.textContent = `${facts.side} × ${facts.side} points, ${facts.cost.toFixed(1)} ms`;
+  }
+
+  /** A question with two answers, until one is given. */
+  offer(text: string, yes: string, act: () => void, no: string, refuse: () => void): void {
+    const box = h("div", { class: "banner", role: "alert" }, h("span", {}, text));
+    box.append(
+      button(yes, yes, () => {
+        box.remove();
+        act();
+      }, "button primary"),
+      button(no, no, () => {
+        box.remove();
+        refuse();
+      }));
+    this.banner.append(box);
+  }
+
+  warn(text: string): void {
+    this.store.set({ message: { kind: "error", text } });
+  }
+
+  private say(message: State["message"]): void {
+    this.shown = message;
+    clearTimeout(this.timer);
+    this.banner.querySelector(".message")?.remove();
+    if (!message) return;
+    this.banner.append(h("div", { class: `banner message ${message.kind}`, role: message.kind === "error" ? "alert" : "status" },
+      h("span", {}, message.text), button(icon(ICONS.close), "Close", () => this.store.set({ message: null }), "tiny")));
+    if (message.kind === "note") this.timer = window.setTimeout(() => this.store.set({ message: null }), 4000);
+  }
+}

@@ -1,0 +1,162 @@
+/** The drawn surface: one set of buffers a resolution, filled again and again from a `Grid`, and its material. */
+
+import {
+  BufferAttribute, BufferGeometry, DataTexture, DoubleSide, DynamicDrawUsage, FloatType, GLSL3, LinearFilter, Mesh,
+  NearestFilter, RedFormat, RGBAFormat, ShaderMaterial, UnsignedByteType, Vector2, Vector3, Vector4,
+} from "three";
+import { THRESHOLDS } from "../numerics/classify";
+import { Grid, PLANE } from "../numerics/kernel";
+import { QUANTITY } from "../numerics/quantity";
+import type { Surface } from "../numerics/surface";
+import { bytes, classColours, mapColours, type Rgb } from "../ui/colours";
+import type { Frame } from "./frame";
+import { FRAGMENT, VERTEX } from "./shader";
+
+const MISSING = 1e38;
+
+interface Buffers {
+  readonly geometry: BufferGeometry;
+  readonly position: Float32Array;
+  readonly normal: Float32Array;
+  readonly values: Float32Array<ArrayBuffer>;
+  readonly texture: DataTexture;
+}
+
+const mapTextures = new Map<string, DataTexture>();
+
+export class SurfaceMesh {
+  readonly grid = new Grid();
+  readonly material: ShaderMaterial;
+  readonly mesh: Mesh;
+  /** Values of the drawn quantity at the grid points; NaN where there is none. */
+  values = new Float32Array(0);
+  singular = 0;
+  private readonly buffers = new Map<number, Buffers>();
+  private current: Buffers | null = null;
+
+  constructor() {
+    this.material = new ShaderMaterial({
+      glslVersion: GLSL3, vertexShader: VERTEX, fragmentShader: FRAGMENT, side: DoubleSide,
+      polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
+      uniforms: {
+        mode: { value: 0 }, field: { value: null }, colours: { value: null }, range: { value: new Vector2(-1, 1) },
+        contour: { value: 0 }, cells: { value: new Vector2(2, 2) }, front: { value: new Vector3() }, back: { value: new Vector3() },
+        undefinedColour: { value: new Vector3() }, stripes: { value: 0 }, density: { value: 20 }, light: { value: new Vector3(0, 0, 1) },
+        curves: { value: 0 }, cut: { value: new Vector4() }, clipped: { value: false }, wire: { value: false },
+        shade: { value: 1 }, towards: { value: new Vector3(0, 0, 1) }, faded: { value: 0 },
+      },
+    });
+    this.mesh = new Mesh(undefined, this.material);
+    this.mesh.frustumCulled = false;
+  }
+
+  /** Evaluate the surface at n × n points and put points, normals and the quantity into the drawn buffers. */
+  update(surface: Surface, n: number, quantity: string, frame: Frame): void {
+    const b = (this.current = this.prepare(n));
+    const { grid } = this;
+    grid.evaluate(surface, n, n);
+    const { planes: s, stride, count } = grid;
+    this.singular = 0;
+    for (let p = 0; p < count; p++) {
+      for (let x = 0; x < 3; x++) {
+        b.position[3 * p + x] = (s[(PLANE.point + x) * stride + p]! - frame.centre[x]!) * frame.scale;
+        const normal = s[(PLANE.normal + x) * stride + p]!;
+        b.normal[3 * p + x] = normal === normal ? normal : 0;
+      }
+      const k = s[PLANE.gaussian * stride + p]!;
+      if (k !== k) this.singular++;
+    }
+    b.geometry.attributes["position"]!.needsUpdate = true;
+    b.geometry.attributes["normal"]!.needsUpdate = true;
+    this.mesh.geometry = b.geometry;
+    const u = this.material.uniforms;
+    u["cells"]!.value.set(n, n);
+    this.paint(quantity);
+  }
+
+  /** Put another quantity of the surface as last evaluated into the drawn buffers. */
+  paint(quantity: string): void {
+    const b = this.current;
+    if (!b) return;
+    const u = this.material.uniforms, q = QUANTITY[quantity];
+    u["mode"]!.value = !q ? 0 : q.colour === "classes" ? 2 : 1;
+    this.values = q ? b.values : new Float32Array(0);
+    if (q) {
+      this.grid.quantity(quantity, b.values, THRESHOLDS);
+      const out = b.texture.image.data as Float32Array;
+      for (let p = 0; p < out.length; p++) {
+        const value = b.values[p]!;
+        out[p] = value - value === 0 ? value : MISSING;
+      }
+      b.texture.needsUpdate = true;
+      u["field"]!.value = b.texture;
+      u["colours"]!.value = mapTexture(quantity);
+    }
+  }
+
+  /** Vertex positions in the scene, for picking. */
+  get position(): Float32Array {
+    return this.current?.position ?? new Float32Array(0);
+  }
+
+  get side(): number {
+    return this.current ? this.grid.nu : 0;
+  }
+
+  dispose(): void {
+    for (const b of this.buffers.values()) {
+      b.geometry.dispose();
+      b.texture.dispose();
+    }
+    this.material.dispose();
+  }
+
+  private prepare(n: number): Buffers {
+    const known = this.buffers.get(n);
+    if (known) return known;
+    // Two resolutions are in use at a time: that while dragging and that at rest.
+    if (this.buffers.size > 3) {
+      const oldest = this.buffers.keys().next().value!;
+      this.buffers.get(oldest)!.geometry.dispose();
+      this.buffers.get(oldest)!.texture.dispose();
+      this.buffers.delete(oldest);
+    }
+    const geometry = new BufferGeometry();
+    const position = new Float32Array(3 * n * n), normal = new Float32Array(3 * n * n), uv = new Float32Array(2 * n * n);
+    for (let i = 0, p = 0; i < n; i++) for (let k = 0; k < n; k++, p += 2) uv.set([i / (n - 1), k / (n - 1)], p);
+    const index = new Uint32Array(6 * (n - 1) * (n - 1));
+    for (let i = 0, q = 0; i < n - 1; i++) {
+      for (let k = 0; k < n - 1; k++) {
+        const a = i * n + k;
+        index[q++] = a; index[q++] = a + n; index[q++] = a + n + 1;
+        index[q++] = a; index[q++] = a + n + 1; index[q++] = a + 1;
+      }
+    }
+    geometry.setIndex(new BufferAttribute(index, 1));
+    geometry.setAttribute("position", new BufferAttribute(position, 3).setUsage(DynamicDrawUsage));
+    geometry.setAttribute("normal", new BufferAttribute(normal, 3).setUsage(DynamicDrawUsage));
+    geometry.setAttribute("uv", new BufferAttribute(uv, 2));
+    const texture = new DataTexture(new Float32Array(n * n), n, n, RedFormat, FloatType);
+    const made = { geometry, position, normal, values: new Float32Array(n * n), texture };
+    this.buffers.set(n, made);
+    return made;
+  }
+}
+
+/** A vector of the three parts of a colour, 0 to 1. */
+export const vector = ([r, g, b]: Rgb): Vector3 => new Vector3(r / 255, g / 255, b / 255);
+
+/** The colours of a quantity as a texture: 256 steps of its map, or one a class. */
+function mapTexture(quantity: string): DataTexture {
+  const q = QUANTITY[quantity]!;
+  const name = q.colour === "classes" ? quantity : q.colour;
+  let texture = mapTextures.get(name);
+  if (!texture) {
+    const colours = q.colour === "classes" ? classColours(quantity) : mapColours(q);
+    texture = new DataTexture(bytes(colours), colours.length, 1, RGBAFormat, UnsignedByteType);
+    texture.magFilter = texture.minFilter = q.colour === "classes" ? NearestFilter : LinearFilter;
+    texture.needsUpdate = true;
+    mapTextures.set(name, texture);
+  }
+  return texture;
+}

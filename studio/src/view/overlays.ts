@@ -1,0 +1,188 @@
+/** Everything drawn on top of a surface: net, directions, normals, combs, contours, section, control points. */
+
+import { Group } from "three";
+import { directionCos, directionSin, principalDirection } from "../numerics/curvature";
+import { PLANE } from "../numerics/kernel";
+import type { Settings } from "../app/settings";
+import type { Handle } from "../edit/handles";
+import { zeroContour } from "./contour";
+import { toScene, type Frame } from "./frame";
+import { Lines, Points } from "./lines";
+import type { SurfaceMesh } from "./mesh";
+
+type Line = "net" | "first" | "second" | "normals" | "teethU" | "teethV" | "combU" | "combV" | "zeroK" | "zeroH" | "section";
+
+interface Style {
+  readonly width: number;
+  readonly light: string;
+  readonly dark: string;
+  readonly opacity: number;
+}
+
+const STYLE: Readonly<Record<Line, Style>> = {
+  net: { width: 1.25, light: "#44566c", dark: "#c3d0e0", opacity: 0.75 },
+  first: { width: 1.75, light: "#101418", dark: "#ffffff", opacity: 0.95 },
+  second: { width: 1.25, light: "#7a4b00", dark: "#ffd28a", opacity: 0.95 },
+  normals: { width: 1.5, light: "#00785a", dark: "#58dcae", opacity: 0.95 },
+  teethU: { width: 1, light: "#0060a8", dark: "#7cc4ff", opacity: 0.55 },
+  teethV: { width: 1, light: "#b04500", dark: "#ffae70", opacity: 0.55 },
+  combU: { width: 1.75, light: "#0060a8", dark: "#7cc4ff", opacity: 1 },
+  combV: { width: 1.75, light: "#b04500", dark: "#ffae70", opacity: 1 },
+  zeroK: { width: 2.75, light: "#101418", dark: "#ffffff", opacity: 1 },
+  zeroH: { width: 2.75, light: "#a3008f", dark: "#ff9cf2", opacity: 1 },
+  section: { width: 3, light: "#c2102e", dark: "#ff6b81", opacity: 1 },
+};
+
+/** The colours of overlay lines in a theme, for the key beside their switches. */
+export const lineColour = (line: Line, dark: boolean): string => STYLE[line][dark ? "dark" : "light"];
+
+const RELATIVE = 1e-6; // of the curvedness: below it K and H count as zero, as in the classifications
+
+export class Overlays {
+  readonly group = new Group();
+  readonly points = new Points();
+  private readonly lines = Object.fromEntries(
+    (Object.keys(STYLE) as Line[]).map((name) => [name, new Lines(STYLE[name].light, STYLE[name].width, STYLE[name].opacity)]),
+  ) as Record<Line, Lines>;
+
+  constructor() {
+    for (const name of Object.keys(STYLE) as Line[]) this.group.add(this.lines[name].mesh);
+    this.group.add(this.points.mesh);
+  }
+
+  resize(width: number, height: number, ratio: number): void {
+    for (const name of Object.keys(STYLE) as Line[]) this.lines[name].resize(width, height, ratio, STYLE[name].width);
+    this.points.resize(ratio);
+  }
+
+  theme(dark: boolean): void {
+    for (const name of Object.keys(STYLE) as Line[]) this.lines[name].colour = lineColour(name, dark);
+  }
+
+  /** Redraw what follows from the surface's numbers. */
+  update(mesh: SurfaceMesh, settings: Settings, frame: Frame): void {
+    const n = mesh.side;
+    for (const name of Object.keys(STYLE) as Line[]) if (name !== "net") this.lines[name].begin();
+    if (n > 1) {
+      if (settings.directions) this.directions(mesh);
+      if (settings.normals) this.normals(mesh);
+      if (settings.combs === "u" || settings.combs === "both") this.combs(mesh, frame, true, settings.combScale);
+      if (settings.combs === "v" || settings.combs === "both") this.combs(mesh, frame, false, settings.combScale);
+      const { planes: s, stride } = mesh.grid;
+      const sign = (plane: number, power: number) => (p: number) => {
+        const value = s[plane * stride + p]!, bend = s[PLANE.curvedness * stride + p]!;
+        return Math.abs(value) <= RELATIVE * bend ** power ? 0 : value;
+      };
+      if (settings.zeroK) zeroContour(sign(PLANE.gaussian, 2), n, mesh.position, this.lines.zeroK);
+      if (settings.zeroH) zeroContour(sign(PLANE.mean, 1), n, mesh.position, this.lines.zeroH);
+      if (settings.section) {
+        const [a, b, c, d] = sectionPlane(settings, frame), x = mesh.position;
+        zeroContour((p) => a * x[3 * p]! + b * x[3 * p + 1]! + c * x[3 * p + 2]! - d, n, x, this.lines.section);
+      }
+    }
+    for (const name of Object.keys(STYLE) as Line[]) if (name !== "net") this.lines[name].end();
+  }
+
+  /** Redraw the control net and the points that can be dragged. */
+  net(polylines: readonly (readonly (readonly number[])[])[], handles: readonly Handle[], selected: string | null, frame: Frame): void {
+    const { net } = this.lines;
+    net.begin();
+    for (const line of polylines) {
+      const scene = line.map((p) => toScene(frame, p));
+      for (let i = 0; i + 1 < scene.length; i++) net.join(scene[i]!, scene[i + 1]!);
+    }
+    net.end();
+    const tint = (h: Handle) => (h.id === selected ? [0.93, 0.42, 0.05, 2] : h.mirrored ? [0.25, 0.38, 0.55, 0.5] : [...h.tint, 1]);
+    this.points.fill(handles.map((h) => toScene(frame, h.position)), handles.map(tint));
+  }
+
+  dispose(): void {
+    for (const name of Object.keys(STYLE) as Line[]) this.lines[name].dispose();
+    this.points.dispose();
+  }
+
+  /** Principal directions, κ1 strong and κ2 light, as crosses at about 16 × 16 points. */
+  private directions(mesh: SurfaceMesh): void {
+    const { planes: s, stride, size } = mesh.grid;
+    each(mesh, (p, spacing) => {
+      const r = s[PLANE.radius * stride + p]!;
+      if (!(r > RELATIVE * s[PLANE.curvedness * stride + p]! && s[PLANE.curvedness * stride + p]! * size > 1e-9)) return;
+      principalDirection(s[p]!, s[stride + p]!, s[2 * stride + p]!, r);
+      const x = mesh.position.subarray(3 * p, 3 * p + 3), half = 0.36 * spacing;
+      const first = [0, 0, 0], second = [0, 0, 0];
+      for (let i = 0; i < 3; i++) {
+        const e1 = s[(PLANE.e1 + i) * stride + p]!, e2 = s[(PLANE.e2 + i) * stride + p]!;
+        first[i] = half * (directionCos * e1 + directionSin * e2);
+        second[i] = half * (directionCos * e2 - directionSin * e1);
+      }
+      const cross = (line: Lines, d: number[]) =>
+        line.segment(x[0]! - d[0]!, x[1]! - d[1]!, x[2]! - d[2]!, x[0]! + d[0]!, x[1]! + d[1]!, x[2]! + d[2]!);
+      cross(this.lines.first, first);
+      cross(this.lines.second, second);
+    });
+  }
+
+  private normals(mesh: SurfaceMesh): void {
+    const { planes: s, stride } = mesh.grid;
+    each(mesh, (p, spacing) => {
+      const x = mesh.position.subarray(3 * p, 3 * p + 3), length = 0.9 * spacing;
+      const n = (i: number) => length * s[(PLANE.normal + i) * stride + p]!;
+      this.lines.normals.segment(x[0]!, x[1]!, x[2]!, x[0]! + n(0), x[1]! + n(1), x[2]! + n(2));
+    });
+  }
+
+  /** Combs of the normal curvature along seven iso-curves; teeth point away from the centre of curvature. */
+  private combs(mesh: SurfaceMesh, frame: Frame, alongU: boolean, scale: number): void {
+    const { planes: s, stride, size, nu: n } = mesh.grid;
+    const teeth = alongU ? this.lines.teethU : this.lines.teethV, tips = alongU ? this.lines.combU : this.lines.combV;
+    const form = PLANE.forms + (alongU ? 0 : 2);
+    const bend = (p: number) => s[(form + 3) * stride + p]! / s[form * stride + p]!;
+    let longest = 0;
+    const curves = 7, every = Math.max(1, Math.round((n - 1) / 60));
+    const at = (curve: number, i: number) => {
+      const fixed = Math.round((curve * (n - 1)) / (curves - 1));
+      return alongU ? i * n + fixed : fixed * n + i;
+    };
+    for (let curve = 0; curve < curves; curve++) {
+      for (let i = 0; i < n; i += every) longest = Math.max(longest, Math.abs(bend(at(curve, i))) || 0);
+    }
+    if (!(longest * size > 1e-9)) return;
+    const factor = (0.22 * scale * size * frame.scale) / longest;
+    for (let curve = 0; curve < curves; curve++) {
+      let before: number[] | null = null;
+      for (let i = 0; i < n; i += every) {
+        const p = at(curve, Math.min(i, n - 1));
+        const x = mesh.position.subarray(3 * p, 3 * p + 3), length = -factor * bend(p);
+        const tip = [0, 1, 2].map((c) => x[c]! + length * s[(PLANE.normal + c) * stride + p]!);
+        if (tip.some(Number.isNaN)) {
+          before = null;
+          continue;
+        }
+        teeth.segment(x[0]!, x[1]!, x[2]!, tip[0]!, tip[1]!, tip[2]!);
+        if (before) tips.join(before, tip);
+        before = tip;
+      }
+    }
+  }
+}
+
+/** The section plane in the scene, (a, b, c, d) of a x + b y + c z = d; `offset` runs over the surface's ball. */
+export function sectionPlane(settings: Settings, frame: Frame): [number, number, number, number] {
+  const axis = { x: 0, y: 1, z: 2 }[settings.sectionAxis];
+  const plane: [number, number, number, number] = [0, 0, 0, 0];
+  plane[axis] = 1;
+  plane[3] = (settings.sectionAt - frame.centre[axis]!) * frame.scale;
+  return plane;
+}
+
+/** Call `act` at about 16 × 16 points of the grid, with the scene distance between them. */
+function each(mesh: SurfaceMesh, act: (p: number, spacing: number) => void): void {
+  const n = mesh.side, many = Math.min(n, 17);
+  const x = mesh.position, corner = (p: number) => [x[3 * p]!, x[3 * p + 1]!, x[3 * p + 2]!];
+  const [a, b, c, d] = [corner(0), corner(n * (n - 1)), corner(n - 1), corner(n * n - 1)] as [number[], number[], number[], number[]];
+  const distance = (p: number[], q: number[]) => Math.hypot(p[0]! - q[0]!, p[1]! - q[1]!, p[2]! - q[2]!);
+  const spacing = Math.min(0.1, Math.max(0.035, (distance(a, b) + distance(a, c) + distance(c, d) + distance(b, d)) / (4 * (many - 1))));
+  for (let i = 0; i < many; i++) {
+    for (let k = 0; k < many; k++) act(Math.round((i * (n - 1)) / (many - 1)) * n + Math.round((k * (n - 1)) / (many - 1)), spacing);
+  }
+}

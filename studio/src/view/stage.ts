@@ -1,0 +1,246 @@
+/** The picture: cells side by side, each with the surfaces of one model, drawn by one renderer through one camera. */
+
+import { Color, Scene, Vector2, Vector3, WebGLRenderer } from "three";
+import type { Settings } from "../app/settings";
+import type { Patch } from "../numerics/model";
+import type { Surface } from "../numerics/surface";
+import { BACK, FRONT, UNDEFINED, type Rgb } from "../ui/colours";
+import { Orbit, VIEWS, type ViewName } from "./camera";
+import type { Frame } from "./frame";
+import { vector, SurfaceMesh } from "./mesh";
+import { Overlays, sectionPlane } from "./overlays";
+import { pick, type Hit } from "./pick";
+import type { Range } from "./range";
+import { paintStill } from "./still";
+
+/** One surface in a cell. */
+export class Piece {
+  readonly mesh = new SurfaceMesh();
+  readonly overlays = new Overlays();
+  /** What was last drawn, so that only what changed is worked out again. */
+  patch: Patch | null = null;
+  surface: Surface | null = null;
+  side = 0;
+  frame: Frame | null = null;
+  quantity = "";
+  settings: Settings | null = null;
+}
+
+/** One viewport: its pieces and its place in the canvas, in CSS pixels from the top left. */
+export class Cell {
+  readonly scene = new Scene();
+  readonly pieces: Piece[] = [];
+  x = 0;
+  y = 0;
+  width = 1;
+  height = 1;
+
+  resizePieces(count: number): void {
+    while (this.pieces.length > count) {
+      const piece = this.pieces.pop()!;
+      this.scene.remove(piece.mesh.mesh, piece.overlays.group);
+      piece.mesh.dispose();
+      piece.overlays.dispose();
+    }
+    while (this.pieces.length < count) {
+      const piece = new Piece();
+      this.pieces.push(piece);
+      this.scene.add(piece.mesh.mesh, piece.overlays.group);
+    }
+  }
+}
+
+export interface Ray {
+  readonly origin: readonly [number, number, number];
+  readonly direction: readonly [number, number, number];
+}
+
+export interface Place extends Hit {
+  readonly cell: number;
+  readonly piece: number;
+}
+
+export class Stage {
+  readonly orbit = new Orbit();
+  readonly cells: Cell[] = [];
+  /** Null where WebGL 2 is missing: then pictures are painted on a plain canvas. */
+  private readonly renderer: WebGLRenderer | null;
+  private range: Range | null = null;
+  private quantity = "none";
+  private width = 1;
+  private height = 1;
+  private ratio = 1;
+
+  constructor(readonly canvas: HTMLCanvasElement) {
+    const context = canvas.getContext("webgl2", { antialias: true, alpha: true, powerPreference: "high-performance" });
+    this.renderer = context && new WebGLRenderer({ canvas, context });
+    this.renderer?.setClearColor(0x000000, 0);
+    if (this.renderer) this.renderer.autoClear = false;
+  }
+
+  get works(): boolean {
+    return this.renderer !== null;
+  }
+
+  resize(width: number, height: number, ratio: number): void {
+    this.width = Math.max(1, width);
+    this.height = Math.max(1, height);
+    this.ratio = ratio;
+    if (this.renderer) {
+      this.renderer.setPixelRatio(ratio);
+      this.renderer.setSize(this.width, this.height, false);
+    } else {
+      this.canvas.width = this.width * ratio;
+      this.canvas.height = this.height * ratio;
+    }
+    this.arrange();
+  }
+
+  /** Make as many cells as asked for, in rows of two from three on. */
+  layout(count: number): void {
+    while (this.cells.length > count) this.cells.pop()!.resizePieces(0);
+    while (this.cells.length < count) this.cells.push(new Cell());
+    this.arrange();
+  }
+
+  private arrange(): void {
+    const columns = this.cells.length > 4 ? 3 : this.cells.length > 1 ? 2 : 1, rows = Math.ceil(this.cells.length / columns);
+    this.cells.forEach((cell, i) => {
+      cell.width = this.width / columns;
+      cell.height = this.height / rows;
+      cell.x = (i % columns) * cell.width;
+      cell.y = Math.floor(i / columns) * cell.height;
+      for (const piece of cell.pieces) piece.overlays.resize(cell.width * this.ratio, cell.height * this.ratio, this.ratio);
+    });
+  }
+
+  /** Carry settings and range over to the materials. */
+  style(settings: Settings, range: Range | null, dark: boolean, frame: Frame, active: number): void {
+    const light = lightOf(settings);
+    this.range = range;
+    this.quantity = settings.quantity;
+    const plane = sectionPlane(settings, frame);
+    for (const cell of this.cells) {
+      cell.pieces.forEach((piece, i) => {
+        const u = piece.mesh.material.uniforms;
+        set(u["front"]!.value, FRONT);
+        set(u["back"]!.value, BACK);
+        set(u["undefinedColour"]!.value, UNDEFINED);
+        if (range) (u["range"]!.value as Vector2).set(range.low, range.high);
+        u["contour"]!.value = range && settings.contours ? (range.high - range.low) / 10 : 0;
+        u["stripes"]!.value = ["none", "zebra", "isophotes", "reflection", "highlight"].indexOf(settings.stripes);
+        u["density"]!.value = settings.density;
+        (u["light"]!.value as Vector3).copy(light);
+        u["curves"]!.value = settings.wireframe ? 30 : settings.curves ? 10 : 0;
+        u["cut"]!.value.set(...plane);
+        u["clipped"]!.value = settings.section && settings.clip;
+        u["wire"]!.value = settings.wireframe;
+        u["shade"]!.value = settings.stripes === "none" ? 1 : 0.6;
+        u["faded"]!.value = cell.pieces.length > 1 && i !== active ? 0.0 : 0;
+        piece.overlays.theme(dark);
+        piece.overlays.resize(cell.width * this.ratio, cell.height * this.ratio, this.ratio);
+      });
+    }
+    this.orbit.projection = settings.projection;
+  }
+
+  draw(): void {
+    const { renderer } = this;
+    if (!renderer) return paintStill(this.canvas, this.cells, this.orbit, this.ratio, this.quantity, this.range);
+    renderer.setScissorTest(false);
+    renderer.setViewport(0, 0, this.width, this.height);
+    renderer.clear();
+    renderer.setScissorTest(true);
+    const towards = this.orbit.axes().towards;
+    for (const cell of this.cells) {
+      const bottom = this.height - cell.y - cell.height;
+      renderer.setViewport(cell.x, bottom, cell.width, cell.height);
+      renderer.setScissor(cell.x, bottom, cell.width, cell.height);
+      for (const piece of cell.pieces) (piece.mesh.material.uniforms["towards"]!.value as Vector3).copy(towards);
+      renderer.render(cell.scene, this.orbit.camera(cell.width / cell.height));
+    }
+  }
+
+  /** The cell at a point of the canvas, in CSS pixels. */
+  cellAt(x: number, y: number): number {
+    return this.cells.findIndex((c) => x >= c.x && x < c.x + c.width && y >= c.y && y < c.y + c.height);
+  }
+
+  /** The ray in the scene through a point of the canvas. */
+  ray(cell: number, x: number, y: number): Ray {
+    const c = this.cells[cell]!, camera = this.orbit.camera(c.width / c.height);
+    const right = ((x - c.x) / c.width) * 2 - 1, up = 1 - ((y - c.y) / c.height) * 2;
+    const near = new Vector3(right, up, -1).unproject(camera), far = new Vector3(right, up, 1).unproject(camera);
+    const direction = far.sub(near).normalize();
+    return { origin: [near.x, near.y, near.z], direction: [direction.x, direction.y, direction.z] };
+  }
+
+  /** Where a scene point is in the canvas, in CSS pixels; `depth` grows away from the eye. */
+  project(cell: number, p: readonly number[]): { x: number; y: number; depth: number } {
+    const c = this.cells[cell]!;
+    const q = new Vector3(p[0], p[1], p[2]).project(this.orbit.camera(c.width / c.height));
+    return { x: c.x + (q.x + 1) * 0.5 * c.width, y: c.y + (1 - q.y) * 0.5 * c.height, depth: q.z };
+  }
+
+  /** The point of a surface at a point of the canvas. */
+  pick(x: number, y: number, settings: Settings, frame: Frame): Place | null {
+    const cell = this.cellAt(x, y);
+    if (cell < 0) return null;
+    const { origin, direction } = this.ray(cell, x, y);
+    const [a, b, c, d] = sectionPlane(settings, frame), clipped = settings.section && settings.clip;
+    let best: Place | null = null;
+    this.cells[cell]!.pieces.forEach((piece, i) => {
+      const n = piece.mesh.side;
+      const hit = n > 1 ? pick(piece.mesh.position, n, origin, direction, (px, py, pz) => !clipped || a * px + b * py + c * pz <= d) : null;
+      if (hit && (!best || hit.distance < best.distance)) best = { ...hit, cell, piece: i };
+    });
+    return best;
+  }
+
+  view(name: ViewName, still: boolean): void {
+    const [azimuth, elevation] = VIEWS[name];
+    this.orbit.go(azimuth, elevation, this.orbit.span, this.orbit.target, still);
+  }
+
+  /** Show everything: the ball of radius 1 about the middle. */
+  fit(still: boolean): void {
+    this.orbit.go(this.orbit.azimuth, this.orbit.elevation, 1.02, new Vector3(), still);
+  }
+
+  /** Draw at a size of its own on a background, and hand back the pixels. */
+  async picture(width: number, height: number, background: string | null): Promise<HTMLCanvasElement> {
+    const before = { width: this.width, height: this.height, ratio: this.ratio };
+    this.renderer?.setClearColor(background ? new Color().setStyle(background, "srgb-linear") : 0x000000, background ? 1 : 0);
+    this.resize(width, height, 1);
+    this.draw();
+    const copy = document.createElement("canvas");
+    copy.width = width;
+    copy.height = height;
+    copy.getContext("2d")!.drawImage(this.canvas, 0, 0);
+    this.renderer?.setClearColor(0x000000, 0);
+    this.resize(before.width, before.height, before.ratio);
+    this.draw();
+    return copy;
+  }
+
+  /** Wait until the card has drawn everything asked for. */
+  finish(): void {
+    const gl = this.renderer?.getContext();
+    gl?.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+  }
+
+  dispose(): void {
+    this.layout(0);
+    this.renderer?.dispose();
+  }
+}
+
+/** Direction of the light in the scene. */
+export function lightOf(settings: Settings): Vector3 {
+  const a = (settings.lightAzimuth * Math.PI) / 180, e = (settings.lightElevation * Math.PI) / 180;
+  return new Vector3(Math.cos(e) * Math.cos(a), Math.cos(e) * Math.sin(a), Math.sin(e));
+}
+
+function set(target: unknown, colour: Rgb): void {
+  (target as Vector3).copy(vector(colour));
+}
