@@ -93,7 +93,7 @@ def _validation(item: Item) -> Rows:
                 (f"{name}, r = {radius:g} {model(name).unit}", BY_KEY[key].symbol, unit, *cells, f"{worst:.1e}")
             )
     note = (
-        "Over 129 x 129 points; the poles of the sphere, where this parametrisation has no tangent plane, are left out. "
+        "Over 129 x 129 points, without the poles of the sphere, where this parametrisation has no tangent plane. "
         "The normal points outwards, so that H, κ1 and κ2 are negative."
     )
     return Rows("Computed against closed form", heads, tuple(rows), (note,), ((".csv", _csv([heads, *rows])),))
