@@ -162,6 +162,18 @@ def test_degenerate_models_are_computed_and_warned_of(text, tmp_path):
     assert len(json.loads(table.out)["rows"]) == 9
 
 
+def test_curvature_without_bound_is_told_as_infinite(tmp_path):
+    path = tmp_path / "m.toml"  # a swung surface that closes in a point: H grows like 1/r towards it
+    path.write_text(
+        'kind = "swung"\nprofile = [[0, 0], [1, 1], [2, 2], [2, 3], [1, 4], [0, 5]]\n'
+        "trajectory = [[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0], [-1, -1]]\n"
+    )
+    result = cli("check", path)
+    assert result.code == 0
+    assert "to ∞" in result.out
+    assert "without bound" in result.out
+
+
 def test_an_edge_of_regression_inside_is_told(tmp_path):
     planes = [[0, 1, 4, -20], [1, 1, 5, -24], [2, 1, 4, -30], [3, 0, 4, -33], [4, 1, 3, -40], [5, 2, 4, -44]]
     path = tmp_path / "m.toml"

@@ -82,12 +82,12 @@ def intensities(found: Sequence[Variant], title: str = "") -> Table:
 
 
 def _rounded(values: Sequence[float], found: Sequence[Variant], power: int, integral: bool) -> tuple[float, ...]:
-    """Return the values with 0 for what is rounding beside the largest curvature to a power, or its integral."""
+    """Return the values with 0 for what is rounding beside the typical curvature to a power, or its integral."""
     if power <= 0:
         return tuple(values)
     floors: list[float] = []
     for one in found:
-        floor = _NOISE * abs(one.summary.extremes["curvedness"].maximum.value) ** power
+        floor = _NOISE * one.summary.extremes["curvedness"].mean.value ** power
         floors.append(floor * one.summary.integrals.area.value if integral else floor)
     return tuple(0.0 if abs(value) <= floor else value for value, floor in zip(values, floors, strict=True))
 

@@ -88,15 +88,15 @@ SUFFIXES: dict[str, str] = {".csv": "csv", ".json": "json", ".md": "md", ".tex":
 """Format by the ending of a file's name."""
 
 
-def shown(value: float | str) -> str:
-    """Return a value as people read it: six significant figures, a dash where it is undefined."""
+def shown(value: float | str, figures: int = 6) -> str:
+    """Return a value as people read it: so many significant figures, a dash where it is undefined."""
     if isinstance(value, str):
         return value
     if math.isnan(value):
         return "–"
     if math.isinf(value):
         return "∞" if value > 0 else "−∞"
-    mantissa, _, exponent = f"{value:.6g}".partition("e")
+    mantissa, _, exponent = f"{value:.{figures}g}".partition("e")
     return f"{mantissa}e{int(exponent)}" if exponent else mantissa
 
 

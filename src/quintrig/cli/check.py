@@ -12,6 +12,7 @@ from quintrig.errors import ModelError
 if TYPE_CHECKING:
     from rich.console import Console
 
+    from quintrig.extremes import Extreme
     from quintrig.model import Model, Patch
     from quintrig.summary import Summary
 
@@ -82,7 +83,9 @@ def _tell_patch(patch: "Patch", model: "Model", console: "Console") -> int:
 
 def _facts(patch: "Patch", unit: str, summary: "Summary") -> list[tuple[str, str]]:
     """Return the lines that describe a patch: what, and its value in words."""
-    box = " × ".join(f"{extent:.4g}" for extent in summary.box[1] - summary.box[0])
+    from quintrig.typeset import shown
+
+    box = " × ".join(shown(float(extent), 4) for extent in summary.box[1] - summary.box[0])
     area = _quantity(summary.integrals.area.value, f"{unit}²" if unit else "")
     facts = [("kind", _kind(patch)), ("size", f"{_quantity(box, unit)} along x, y, z; area {area}")]
     if not unit:
@@ -113,16 +116,25 @@ def _normal(patch: "Patch", summary: "Summary") -> str:
 
 def _range(key: str, unit: str, summary: "Summary") -> str:
     from quintrig.quantity import quantity
+    from quintrig.typeset import shown
 
     row, found = quantity(key), summary.extremes[key]
     if found.minimum.status == "undefined":
         return f"{row.symbol} undefined everywhere"
-    rounding = 1e-12 * summary.extremes["curvedness"].maximum.value ** -row.power
-    low, high = (0.0 if abs(end.value) <= rounding else end.value for end in (found.minimum, found.maximum))
-    span = f"{row.symbol} from {low:.4g} to {high:.4g}" if low < high else f"{row.symbol} = {low:.4g}"
+    rounding = 1e-12 * summary.extremes["curvedness"].mean.value ** -row.power
+    low, high = (_end(end, limit, rounding) for end, limit in ((found.minimum, -math.inf), (found.maximum, math.inf)))
+    span = f"{row.symbol} from {shown(low, 4)} to {shown(high, 4)}" if low < high else f"{row.symbol} = {shown(low, 4)}"
     return _quantity(span, row.unit(unit))
 
 
+def _end(extreme: "Extreme", limit: float, rounding: float) -> float:
+    """Return an extreme value to be read: infinite where it has no bound, 0 where it is only rounding."""
+    if extreme.status == "unbounded":
+        return limit
+    return 0.0 if abs(extreme.value) <= rounding else extreme.value
+
+
 def _quantity(value: float | str, unit: str) -> str:
-    text = value if isinstance(value, str) else f"{value:.4g}"
-    return f"{text} {unit}".rstrip()
+    from quintrig.typeset import shown
+
+    return f"{value if isinstance(value, str) else shown(value, 4)} {unit}".rstrip()
