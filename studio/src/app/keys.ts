@@ -7,7 +7,6 @@ import type { ViewName } from "../view/camera";
 import type { Frame } from "../view/frame";
 import type { Stage } from "../view/stage";
 import type { Files } from "./files";
-import { still } from "./pointer";
 import { activePatch, type Compare, type Store } from "./state";
 
 const VIEW_KEYS: Readonly<Record<string, ViewName>> = { "1": "iso", "2": "top", "3": "side", "4": "back" };
@@ -19,6 +18,7 @@ export interface Commands {
   readonly files: Files;
   frame(): Frame;
   fit(): void;
+  view(name: ViewName): void;
   redraw(): void;
   help(): void;
 }
@@ -40,7 +40,7 @@ export function press(event: KeyboardEvent, c: Commands): boolean {
   }
   if (event.altKey || target.matches("input:not([type=checkbox]), select, textarea, [role=radio], .knob")) return false;
   const view = VIEW_KEYS[event.key], arrow = ARROWS[event.key];
-  if (view) stage.view(view, still());
+  if (view) c.view(view);
   else if (arrow) arrowKey(arrow, event.shiftKey, c);
   else if (event.key === "+" || event.key === "=") stage.orbit.zoom(0.85);
   else if (event.key === "-") stage.orbit.zoom(1 / 0.85);

@@ -23,6 +23,7 @@ export interface Surroundings {
   frame(): Frame;
   /** Whether points can be dragged in a cell. */
   editable(cell: number): boolean;
+  fit(): void;
   redraw(): void;
 }
 
@@ -106,8 +107,7 @@ export function listen(canvas: HTMLCanvasElement, around: Surroundings): void {
   });
   canvas.addEventListener("contextmenu", (event) => event.preventDefault());
   canvas.addEventListener("dblclick", () => {
-    stage.fit(still());
-    around.redraw();
+    around.fit();
   });
   canvas.addEventListener("wheel", (event) => {
     event.preventDefault();

@@ -14,6 +14,7 @@ import { h } from "../ui/dom";
 import { ProbePanel } from "../ui/probe";
 import { StatusBar } from "../ui/status";
 import { TopBar } from "../ui/topbar";
+import type { ViewName } from "../view/camera";
 import { frameOf, UNIT_FRAME, type Frame } from "../view/frame";
 import { compose } from "../view/picture";
 import { sharpest, type Sharpest } from "../view/radius";
@@ -23,7 +24,7 @@ import { Drafts } from "./drafts";
 import { Files } from "./files";
 import type { Host } from "./host";
 import { press } from "./keys";
-import { listen } from "./pointer";
+import { listen, still } from "./pointer";
 import { remembered, type Settings } from "./settings";
 import { shapeSets, Store, type Source, type State } from "./state";
 
@@ -67,6 +68,7 @@ export class Studio {
   private coarse = 75;
   private cost = 0;
   private refit = true;
+  private fitAfter = false;
   private draftTimer = 0;
 
   constructor(private readonly container: HTMLElement, private readonly host: Host, start: Start) {
@@ -83,7 +85,7 @@ export class Studio {
     this.inspector = new Inspector(store);
     this.probe = new ProbePanel(store, () => this.plan());
     this.status = new StatusBar(store);
-    this.hud = new Hud(store, this.stage, { fit: () => this.fit(), redraw: () => this.plan() });
+    this.hud = new Hud(store, this.stage, { fit: () => this.fit(), view: (name) => this.view(name) });
     this.centre.append(this.hud.element, this.legend.element);
     this.root = h("div", { class: `studio ${host.kind}` },
       this.bar.element, this.model.element,
@@ -91,9 +93,9 @@ export class Studio {
       this.inspector.element, this.status.element);
     container.append(this.root);
     this.drafts = new Drafts(host.place);
-    listen(this.canvas, { store, stage: this.stage, frame: () => this.frame, editable: (cell) => this.shown()[cell]?.editable ?? false, redraw: () => this.plan() });
+    listen(this.canvas, { store, stage: this.stage, frame: () => this.frame, fit: () => this.fit(), editable: (cell) => this.shown()[cell]?.editable ?? false, redraw: () => this.plan() });
     this.root.addEventListener("keydown", (event) => {
-      if (press(event, { store, stage: this.stage, files: this.files, frame: () => this.frame, fit: () => this.fit(), redraw: () => this.plan(), help: () => void showHelp(this.root) })) event.preventDefault();
+      if (press(event, { store, stage: this.stage, files: this.files, frame: () => this.frame, fit: () => this.fit(), view: (name) => this.view(name), redraw: () => this.plan(), help: () => void showHelp(this.root) })) event.preventDefault();
     });
     this.receiveFiles();
     new ResizeObserver(() => this.resize()).observe(this.centre);
@@ -150,8 +152,9 @@ export class Studio {
     this.dark = settings.theme === "dark" || (settings.theme === "auto" && matchMedia("(prefers-color-scheme: dark)").matches);
     this.root.dataset["theme"] = this.dark ? "dark" : "light";
     const shown = this.shown();
-    this.stage.layout(shown.length);
-    const side = state.moving ? Math.min(settings.resolution, this.coarse) : settings.resolution;
+    if (this.stage.cells.length !== shown.length) this.fitAfter = true;
+    this.stage.layout(shown.length, this.margin());
+    const side = this.side(settings, state.moving, shown.length);
     if (this.refit) this.reframe(shown);
     const start = performance.now();
     let points = 0;
@@ -169,6 +172,8 @@ export class Studio {
     else this.legend.classes(q.key, meshes.map((mesh) => mesh.values));
     this.stage.style(settings, this.range, this.dark, this.frame, state.patch);
     shown.forEach(({ editable }, i) => this.decorate(this.stage.cells[i]!, state, editable));
+    if (this.fitAfter) this.stage.fit(true, this.margin());
+    this.fitAfter = false;
     this.sharp = settings.minRadius && !state.moving ? this.sharpestOf(shown) : [];
     this.bar.refresh(state);
     this.inspector.refresh(state, this.dark);
@@ -209,6 +214,12 @@ export class Studio {
       const grips = net && editable && i === state.patch ? handles(piece.patch, piece.surface) : [];
       piece.overlays.net(net ? polylines(piece.patch, piece.surface) : [], grips, state.selected, this.frame);
     });
+  }
+
+  /** Points a side: as many as can be afforded while something moves, more at rest where classes have edges. */
+  private side(settings: Settings, moving: boolean, cells: number): number {
+    if (moving) return Math.min(settings.resolution, this.coarse);
+    return QUANTITY[settings.quantity]?.colour === "classes" && cells === 1 ? 2 * settings.resolution : settings.resolution;
   }
 
   /** Choose how many points a side leave a frame's time while something moves. */
@@ -275,7 +286,12 @@ export class Studio {
     if (!(at >= low[axis]! && at <= high[axis]!)) this.store.setting({ sectionAt: Number(this.frame.centre[axis]!.toPrecision(4)) });
     const step = 10 ** Math.round(Math.log10(Math.max(2 / this.frame.scale, 1e-30) / 100));
     this.store.setting({ snapStep: step });
-    this.stage.fit(true);
+    this.fitAfter = true;
+  }
+
+  /** Width of the strip that the legend covers, in CSS pixels. */
+  private margin(): number {
+    return this.legend.element.offsetWidth + 10;
   }
 
   private sharpestOf(shown: readonly Shown[]): { cell: number; at: Sharpest }[] {
@@ -294,6 +310,11 @@ export class Studio {
     if (!inside.length) return "";
     const spans = inside.map(({ start, end }) => `${start.toFixed(3)} to ${end.toFixed(3)}`).join(", ");
     return `The edge of regression lies inside the strip for u = ${spans}: the surface is singular there`;
+  }
+
+  private view(name: ViewName): void {
+    this.stage.view(name, still(), this.margin());
+    this.plan();
   }
 
   private fit(): void {

@@ -17,6 +17,10 @@ function exponential(value: number, digits: number): string {
   return `${Number(mantissa)}·10${raised(Number(power))}`;
 }
 
+/** The power of ten, a multiple of 3, to take out of numbers up to `largest`; 0 where they read well. */
+export const exponent = (largest: number): number =>
+  !(largest > 0) || !Number.isFinite(largest) || (largest >= 0.01 && largest < 1e4) ? 0 : 3 * Math.floor(Math.log10(largest) / 3);
+
 /** An integer in superscript digits. */
 export const raised = (power: number): string => String(power).replace(/[-\d]/g, (c) => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(c)]!));
 

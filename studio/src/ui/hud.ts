@@ -2,10 +2,10 @@
 
 import type { State, Store } from "../app/state";
 import { QUANTITY } from "../numerics/quantity";
+import type { ViewName } from "../view/camera";
 import { toScene, type Frame } from "../view/frame";
 import type { Sharpest } from "../view/radius";
 import type { Stage } from "../view/stage";
-import { still } from "../app/pointer";
 import { button, segmented } from "./controls";
 import { h, icon, ICONS } from "./dom";
 import { short, symbol, unitText, valueText } from "./format";
@@ -22,11 +22,8 @@ export class Hud {
   private readonly triad = document.createElementNS(SVG, "svg");
   private readonly projection;
 
-  constructor(store: Store, private readonly stage: Stage, act: { fit(): void; redraw(): void }) {
-    const view = (name: "iso" | "top" | "side" | "back", label: string, title: string) => button(label, title, () => {
-      stage.view(name, still());
-      act.redraw();
-    }, "button view-button");
+  constructor(store: Store, private readonly stage: Stage, act: { fit(): void; view(name: ViewName): void }) {
+    const view = (name: ViewName, label: string, title: string) => button(label, title, () => act.view(name), "button view-button");
     this.projection = segmented("Projection", [
       { value: "perspective" as const, label: "Perspective" }, { value: "orthographic" as const, label: "Parallel", title: "Orthographic: lengths in the plane of the picture are true" },
     ], (projection) => store.setting({ projection }));

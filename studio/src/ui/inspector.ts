@@ -166,7 +166,7 @@ export class Inspector {
       h("div", { class: "switches" },
         flag("net", "Control net", rule("net")),
         flag("curves", "Iso-curves"),
-        flag("directions", "Principal directions", rule("first", "second"), "Strong: direction of κ1; light: of κ2"),
+        flag("directions", "Directions", rule("first", "second"), "Principal directions. Strong: of κ1; light: of κ2"),
         flag("normals", "Normals", rule("normals")),
         flag("zeroK", math("K", " = 0"), rule("zeroK"), "Parabolic lines"),
         flag("zeroH", math("H", " = 0"), rule("zeroH")),

@@ -4,12 +4,12 @@ import { QUANTITY } from "../numerics/quantity";
 import type { Range } from "../view/range";
 import { BACK, classColours, css, FRONT, mapColours, UNDEFINED } from "./colours";
 import { h } from "./dom";
-import { capital, percent, short, symbol, unitText } from "./format";
+import { capital, exponent, percent, raised, short, symbol, unitText } from "./format";
 
 export class Legend {
   readonly element = h("figure", { class: "legend", "aria-label": "Legend" });
   private readonly bar = h("canvas", { class: "colours", width: 1, height: 256 });
-  private readonly plot = h("canvas", { class: "histogram", width: 96, height: 192, "aria-hidden": "true" });
+  private readonly plot = h("canvas", { class: "histogram", width: 64, height: 192, "aria-hidden": "true" });
   private shown = "";
   private ticks: HTMLElement[] = [];
   private readonly note = h("figcaption", {});
@@ -17,31 +17,32 @@ export class Legend {
   /** Show a real quantity's scale. */
   real(key: string, range: Range, unit: string, dark: boolean): void {
     const q = QUANTITY[key]!;
-    if (this.shown !== `${key} ${unit}`) {
-      this.shown = `${key} ${unit}`;
+    const power = exponent(Math.max(Math.abs(range.low), Math.abs(range.high)));
+    if (this.shown !== `${key} ${unit} ${power}`) {
+      this.shown = `${key} ${unit} ${power}`;
       const context = this.bar.getContext("2d")!;
       mapColours(q).forEach((colour, i, all) => {
         context.fillStyle = css(colour);
         context.fillRect(0, all.length - 1 - i, 1, 1);
       });
       this.ticks = Array.from({ length: 5 }, () => h("span", { class: "tick" }));
-      const units = unitText(q, unit);
+      const units = `${power ? `10${raised(power)} ` : ""}${unitText(q, unit)}`.trim();
       this.element.replaceChildren(
         h("div", { class: "legend-title" }, h("span", {}, capital(q.name)), h("span", { class: "legend-symbol" }, symbol(q.latex), units ? h("span", { class: "unit" }, units) : null)),
         h("div", { class: "scale" }, this.plot, this.bar, h("div", { class: "ticks" }, ...this.ticks)),
         this.note,
       );
     }
-    const { low, high } = range;
+    const { low, high } = range, text = (value: number) => short(value / 10 ** power, 3);
     this.ticks.forEach((tick, i) => {
       const share = i / (this.ticks.length - 1);
-      tick.textContent = short(low + (high - low) * share, 3);
+      tick.textContent = text(low + (high - low) * share);
       tick.style.bottom = `${100 * share}%`;
     });
     this.histogram(range, dark);
-    const lines: (HTMLElement | string)[] = [h("div", {}, `${short(range.least, 3)} to ${short(range.most, 3)}, mean ${short(range.mean, 3)}`)];
-    if (range.below + range.above > 0) lines.push(h("div", {}, `${percent(range.below + range.above)} beyond the ends`));
-    if (range.missing) lines.push(h("div", { class: "missing" }, swatch(css(UNDEFINED)), `${range.missing} of ${range.count} points undefined`));
+    const lines: (HTMLElement | string)[] = [h("dl", { class: "facts" }, h("dt", {}, "max"), h("dd", {}, text(range.most)), h("dt", {}, "mean"), h("dd", {}, text(range.mean)), h("dt", {}, "min"), h("dd", {}, text(range.least)))];
+    if (range.below + range.above > 0) lines.push(h("div", {}, `${percent(range.below + range.above)} beyond ends`));
+    if (range.missing) lines.push(h("div", { class: "missing" }, swatch(css(UNDEFINED)), `${range.missing} undefined`));
     this.note.replaceChildren(...lines);
   }
 

@@ -13,6 +13,22 @@ export const VIEWS: Readonly<Record<ViewName, readonly [number, number]>> = {
 const HALF_FIELD = (14 * Math.PI) / 180;
 const RADIANS = Math.PI / 180;
 
+export interface Axes {
+  readonly right: Vector3;
+  readonly up: Vector3;
+  readonly towards: Vector3;
+}
+
+/** Unit vectors to the right, upwards and towards the eye, seen from a direction. */
+export function axesOf(azimuth: number, elevation: number): Axes {
+  const a = azimuth * RADIANS, e = elevation * RADIANS;
+  return {
+    right: new Vector3(-Math.sin(a), Math.cos(a), 0),
+    up: new Vector3(-Math.sin(e) * Math.cos(a), -Math.sin(e) * Math.sin(a), Math.cos(e)),
+    towards: new Vector3(Math.cos(e) * Math.cos(a), Math.cos(e) * Math.sin(a), Math.sin(e)),
+  };
+}
+
 export class Orbit {
   azimuth = VIEWS.iso[0];
   elevation = VIEWS.iso[1];
@@ -53,13 +69,8 @@ export class Orbit {
   }
 
   /** Unit vectors to the right, upwards and towards the eye. */
-  axes(): { right: Vector3; up: Vector3; towards: Vector3 } {
-    const a = this.azimuth * RADIANS, e = this.elevation * RADIANS;
-    return {
-      right: new Vector3(-Math.sin(a), Math.cos(a), 0),
-      up: new Vector3(-Math.sin(e) * Math.cos(a), -Math.sin(e) * Math.sin(a), Math.cos(e)),
-      towards: new Vector3(Math.cos(e) * Math.cos(a), Math.cos(e) * Math.sin(a), Math.sin(e)),
-    };
+  axes(): Axes {
+    return axesOf(this.azimuth, this.elevation);
   }
 
   turn(dx: number, dy: number): void {

@@ -170,7 +170,7 @@ export class Points {
   }
 
   resize(ratio: number): void {
-    this.material.uniforms["size"]!.value = 10 * ratio;
+    this.material.uniforms["size"]!.value = 11 * ratio;
   }
 
   /** Place points (x, y, z) with colours (r, g, b, kind): kind 1 plain, 2 selected, 0.5 hollow. */

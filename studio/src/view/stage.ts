@@ -70,6 +70,7 @@ export class Stage {
   private width = 1;
   private height = 1;
   private ratio = 1;
+  private margin = 0;
 
   constructor(readonly canvas: HTMLCanvasElement) {
     const context = canvas.getContext("webgl2", { antialias: true, alpha: true, powerPreference: "high-performance" });
@@ -96,18 +97,20 @@ export class Stage {
     this.arrange();
   }
 
-  /** Make as many cells as asked for, in rows of two from three on. */
-  layout(count: number): void {
+  /** Make as many cells as asked for; several leave a strip on the right and at the bottom to legend and buttons. */
+  layout(count: number, margin = 0): void {
+    this.margin = margin;
     while (this.cells.length > count) this.cells.pop()!.resizePieces(0);
     while (this.cells.length < count) this.cells.push(new Cell());
     this.arrange();
   }
 
   private arrange(): void {
-    const columns = this.cells.length > 4 ? 3 : this.cells.length > 1 ? 2 : 1, rows = Math.ceil(this.cells.length / columns);
+    const many = this.cells.length, columns = many > 4 ? 3 : many > 1 ? 2 : 1, rows = Math.ceil(many / columns);
+    const width = many > 1 ? Math.max(0.6 * this.width, this.width - this.margin) : this.width, height = many > 1 ? this.height - 50 : this.height;
     this.cells.forEach((cell, i) => {
-      cell.width = this.width / columns;
-      cell.height = this.height / rows;
+      cell.width = width / columns;
+      cell.height = height / rows;
       cell.x = (i % columns) * cell.width;
       cell.y = Math.floor(i / columns) * cell.height;
       for (const piece of cell.pieces) piece.overlays.resize(cell.width * this.ratio, cell.height * this.ratio, this.ratio);
@@ -197,14 +200,44 @@ export class Stage {
     return best;
   }
 
-  view(name: ViewName, still: boolean): void {
-    const [azimuth, elevation] = VIEWS[name];
-    this.orbit.go(azimuth, elevation, this.orbit.span, this.orbit.target, still);
+  view(name: ViewName, still: boolean, margin: number): void {
+    this.fit(still, margin, VIEWS[name]);
   }
 
-  /** Show everything: the ball of radius 1 about the middle. */
-  fit(still: boolean): void {
-    this.orbit.go(this.orbit.azimuth, this.orbit.elevation, 1.02, new Vector3(), still);
+  /** Look from a direction, everything in the picture, clear of a strip on the right `margin` CSS pixels wide. */
+  fit(still: boolean, margin: number, [azimuth, elevation]: readonly [number, number] = [this.orbit.azimuth, this.orbit.elevation]): void {
+    const cell = this.cells[0];
+    if (!cell) return;
+    const trial = new Orbit();
+    trial.azimuth = azimuth;
+    trial.elevation = elevation;
+    trial.projection = this.orbit.projection;
+    const { right, up } = trial.axes(), aspect = cell.width / cell.height;
+    // The free part of the picture, in device coordinates: above the view buttons and left of the legend.
+    const end = 1 - (2 * (this.cells.length > 1 ? 24 : margin + 24)) / cell.width, low = -1 + (2 * (this.cells.length > 1 ? 20 : 62)) / cell.height;
+    const start = -1 + 48 / cell.width, high = 1 - 48 / cell.height;
+    const p = new Vector3();
+    for (let round = 0; round < 6; round++) {
+      const camera = trial.camera(aspect);
+      let [left, most, bottom, top] = [Infinity, -Infinity, Infinity, -Infinity];
+      for (const { pieces } of this.cells) {
+        for (const { mesh } of pieces) {
+          const x = mesh.position, step = 3 * Math.max(1, Math.floor(mesh.side / 24));
+          for (let at = 0; at + 2 < x.length; at += step) {
+            p.set(x[at]!, x[at + 1]!, x[at + 2]!).project(camera);
+            left = Math.min(left, p.x);
+            most = Math.max(most, p.x);
+            bottom = Math.min(bottom, p.y);
+            top = Math.max(top, p.y);
+          }
+        }
+      }
+      if (!(most >= left)) break;
+      const half = trial.span / Math.min(1, aspect);
+      trial.target.addScaledVector(right, half * aspect * (0.5 * (left + most) - 0.5 * (start + end))).addScaledVector(up, half * (0.5 * (bottom + top) - 0.5 * (low + high)));
+      trial.span = Math.min(20, Math.max(0.02, trial.span * Math.max((most - left) / (end - start), (top - bottom) / (high - low))));
+    }
+    this.orbit.go(azimuth, elevation, trial.span, trial.target, still);
   }
 
   /** Draw at a size of its own on a background, and hand back the pixels. */
