@@ -6,6 +6,7 @@ import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
+from importlib import import_module
 from pathlib import Path
 from typing import Any, cast
 
@@ -85,6 +86,10 @@ class Model:
                 f"model {self.name!r} has no patch {name!r}{nearest(name, known)}; it has {', '.join(known)}"
             )
         return self.patches[known.index(name)]
+
+    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> Any:
+        """Return the interactive view that a notebook shows; only the text where the extra ``jupyter`` is missing."""
+        return import_module("quintrig.studio.notebook").bundle(self)
 
     def with_shape(self, shape: Sequence[float]) -> "Model":
         """Return the model with every patch's shape parameters replaced."""

@@ -2,7 +2,8 @@
 
 import math
 from dataclasses import dataclass
-from typing import Protocol
+from importlib import import_module
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -103,6 +104,10 @@ class Surface:
                 if v0 != v1:
                     result ^= ((v0 > v) != (v1 > v)) & (u < u0 + (v - v0) / (v1 - v0) * (u1 - u0))
         return result
+
+    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> Any:
+        """Return the interactive view that a notebook shows; only the text where the extra ``jupyter`` is missing."""
+        return import_module("quintrig.studio.notebook").bundle(self)
 
     @property
     def rational(self) -> bool:

@@ -95,7 +95,9 @@ def application(where: Site) -> App:
         return JSONResponse({"model": read.to_dict()})
 
     async def formats(_: Request) -> Response:
-        return JSONResponse({"formats": [vars(one) for one in exports.formats()]})
+        return JSONResponse(
+            {"formats": [{"key": f.key, "label": f.label, "suffix": f.suffix} for f in exports.formats()]}
+        )
 
     async def export(request: Request) -> Response:
         body = await _body(request, "text")

@@ -62,7 +62,7 @@ export function listen(canvas: HTMLCanvasElement, around: Surroundings): void {
     const pan = event.button !== 0 || event.shiftKey;
     const handle = pan ? null : under(x, y);
     canvas.setPointerCapture(event.pointerId);
-    canvas.focus({ preventScroll: true });
+    canvas.focus({ preventScroll: true, focusVisible: false } as FocusOptions);
     drag = { kind: pan ? "pan" : handle ? "move" : "turn", cell: stage.cellAt(x, y), handle, x, y, far: 0 };
     if (handle) store.set({ selected: handle.id, hover: null });
     event.preventDefault();
@@ -97,7 +97,7 @@ export function listen(canvas: HTMLCanvasElement, around: Surroundings): void {
     store.settle();
     if (event.type === "pointercancel" || done.far > 4 || done.kind !== "turn" || event.button !== 0) return;
     const place = stage.pick(done.x, done.y, store.state.settings, around.frame());
-    if (place) store.set({ pins: [...store.state.pins, { patch: place.piece, u: rounded(place.u), v: rounded(place.v) }] });
+    if (place) store.set({ hover: null, pins: [...store.state.pins, { patch: place.piece, u: rounded(place.u), v: rounded(place.v) }] });
     else store.set({ selected: null });
   };
   canvas.addEventListener("pointerup", release);

@@ -59,7 +59,7 @@ export class TopBar {
 
   refresh(state: State): void {
     if (!this.name.matches(":focus")) this.name.value = state.model.name;
-    this.name.style.width = `${Math.min(24, Math.max(8, this.name.value.length + 1))}ch`;
+    this.name.style.width = `calc(${Math.min(26, Math.max(8, this.name.value.length + 1))}ch + 16px)`;
     this.dirty.hidden = state.model === state.saved;
     this.undo.disabled = !state.canUndo;
     this.redo.disabled = !state.canRedo;

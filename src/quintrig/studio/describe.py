@@ -1,0 +1,84 @@
+"""A bare surface as the keys of a model, so that a notebook can show and change one that no file holds."""
+
+from typing import Any
+
+import numpy as np
+
+from quintrig.basis import Bernstein, Trigonometric
+from quintrig.bspline import BSpline
+from quintrig.functions import Functions, Joined
+from quintrig.model import Model, Patch
+from quintrig.surface import Net, Surface
+
+Subject = Model | Patch | Surface
+
+
+def as_model(subject: Subject, unit: str = "") -> Model:
+    """Return a model of what is to be shown.
+
+    A surface becomes a tensor-product, ruled or NURBS patch on the control points that it was built from. Raises
+    ValueError for one without any, such as an enveloping developable or a closed form: show its model.
+    """
+    if isinstance(subject, Model):
+        return subject
+    if isinstance(subject, Patch):
+        header = {"unit": unit} if unit else {}
+        keys = subject.definition.model_dump(exclude_defaults=True, exclude={"kind", "name"})
+        return Model.from_dict({**header, "name": subject.name, "kind": subject.kind, **keys})
+    keys = _keys(subject)
+    if keys is None:
+        raise ValueError(
+            "this surface is not built on control points that the studio could show; load or make a Model of it "
+            "(quintrig.Model.from_dict) and show that"
+        )
+    return Model.from_dict({"name": "surface", **({"unit": unit} if unit else {}), **keys, "flip": subject.flip})
+
+
+def _keys(surface: Surface) -> dict[str, Any] | None:
+    rows = surface.rows
+    if not isinstance(rows, Net):
+        return None
+    points = rows.points
+    if isinstance(rows.functions, Joined) and surface.blend == Bernstein(1) and len(rows.functions.parts) == 2:
+        return _ruled(points, rows.functions.parts)
+    pair = (rows.functions, surface.blend)
+    shapes = [_shape(one) for one in pair]
+    if points.shape[2] == 3 and all(shape is not None for shape in shapes):
+        first, second = shapes[0] or (), shapes[1] or ()
+        bernstein = not isinstance(pair[0], Trigonometric)
+        if bernstein == (not isinstance(pair[1], Trigonometric)):
+            return _bezier({"kind": "tensor", "points": points.tolist()}, (*first, *second), bernstein)
+    if isinstance(pair[0], BSpline) and isinstance(pair[1], BSpline):
+        return _nurbs(points, pair[0], pair[1])
+    return None
+
+
+def _ruled(points: np.ndarray[Any, Any], parts: tuple[Functions, ...]) -> dict[str, Any] | None:
+    shapes = [_shape(one) for one in parts]
+    if any(shape is None for shape in shapes):
+        return None
+    n = parts[0].size
+    keys = {"kind": "ruled", "first": points[:n, 0].tolist(), "second": points[n:, 1].tolist()}
+    return _bezier(keys, (*(shapes[0] or ()), *(shapes[1] or ())), not isinstance(parts[0], Trigonometric))
+
+
+def _bezier(keys: dict[str, Any], shape: tuple[float, ...], bernstein: bool) -> dict[str, Any]:
+    if bernstein:
+        return keys | {"basis": "bernstein"}
+    outside = any(not -4.0 <= x <= 1.0 for x in shape)
+    return keys | {"shape": list(shape)} | ({"unchecked_shape": True} if outside else {})
+
+
+def _shape(functions: Functions) -> tuple[float, ...] | None:
+    """Return the shape parameters of a basis of the models; none, for another family of functions, is None."""
+    if isinstance(functions, Trigonometric):
+        return (functions.alpha, functions.zeta)
+    return () if isinstance(functions, Bernstein) else None
+
+
+def _nurbs(points: np.ndarray[Any, Any], u: BSpline, v: BSpline) -> dict[str, Any]:
+    keys: dict[str, Any] = {"kind": "nurbs", "degrees": [u.degree, v.degree], "knots": [list(u.knots), list(v.knots)]}
+    if points.shape[2] == 3:
+        return keys | {"points": points.tolist()}
+    weights = points[..., 3]
+    return keys | {"points": (points[..., :3] / weights[..., None]).tolist(), "weights": weights.tolist()}
