@@ -3,6 +3,7 @@
 import csv
 import json
 import os
+import re
 import subprocess
 import sys
 import tomllib
@@ -328,9 +329,16 @@ def test_compare_writes_pictures_and_tables(tmp_path):
     out = tmp_path / "shapes"
     result = cli("compare", BOOT, out, "--shape", "1,1,1,1", "--shape", "1,1,-3,-3", "-q", "gaussian")
     assert result.code == 0, result.err
-    assert result.out.strip().startswith(str(out))
+    assert result.out == f"{out / 'index.html'}\n"
     names = {path.name for path in out.iterdir()}
-    assert {"surface.png", "gaussian.png", "gaussian_map.png", "intensities.csv", "intensities.md"} <= names
+    assert {
+        "index.html",
+        "surface.png",
+        "gaussian.png",
+        "gaussian_map.png",
+        "intensities.csv",
+        "intensities.md",
+    } <= names
     lines = [line for line in (out / "intensities.csv").read_text().splitlines() if not line.startswith("#")]
     rows = list(csv.DictReader(lines))
     assert [row["shape"] for row in rows] == ["(1, 1, 1, 1)", "(1, 1, -3, -3)"]
@@ -339,6 +347,26 @@ def test_compare_writes_pictures_and_tables(tmp_path):
         k = quintrig.analyse(model.with_shape(shape).surface, *quintrig.grid(101, 101), ["gaussian"])["gaussian"]
         assert float(row["gaussian_min"]) <= k.min() * (1 - 1e-9)
         assert float(row["gaussian_max"]) >= k.max() * (1 - 1e-9)
+
+
+def test_compare_writes_one_page_that_stands_alone(tmp_path):
+    out = tmp_path / "shapes.html"
+    result = cli("compare", EXAMPLES / "developable.toml", out, "--shape", "1,1", "--shape", "0,-4", "-q", "mean")
+    assert (result.code, result.out) == (0, f"{out}\n"), result.err
+    assert list(tmp_path.iterdir()) == [out]
+    text = out.read_text()
+    sources = re.findall(r'(?:src|href)="([^"]{0,30})', text)
+    assert len(sources) == 3
+    assert all(source.startswith("data:image/png;base64,") for source in sources)
+    for words in ("(1, 1)", "(0, -4)", "Developable vault", "bending energy", "Lengths in m.", "1/m²"):
+        assert words in text
+
+
+def test_names_are_not_taken_for_html(tmp_path):
+    path, out = tmp_path / "m.toml", tmp_path / "out.html"
+    path.write_text((EXAMPLES / "swept.toml").read_text().replace("Swept canopy", "<script>alert(1)</script> $x$ & $"))
+    assert cli("compare", path, out, "--shape", "0,0,0,0", "-q", "surface").code == 0
+    assert "<script" not in out.read_text()
 
 
 def test_compare_uses_the_sets_of_the_thesis():

@@ -215,8 +215,25 @@ def test_a_failure_keeps_the_old_file_and_leaves_nothing(command, step, tmp_path
 def test_compare_into_a_file(tmp_path):
     place = tmp_path / "out"
     place.write_text("precious")
-    refused(cli("compare", BOOT, place), "expected a folder to write to, found a file; choose another name")
+    refused(cli("compare", BOOT, place), "expected a folder or an .html page to write, found another file")
     assert place.read_text() == "precious"
+
+
+@pytest.mark.parametrize("command", [["report", BOOT], ["reproduce"]])
+def test_pages_into_a_path_below_a_file(command, tmp_path):
+    blocker = tmp_path / "file"
+    blocker.write_text("precious")
+    result = cli(*command, blocker / "out")
+    assert result.code == 2
+    assert "cannot be written" in result.err.splitlines()[-1]
+    assert blocker.read_text() == "precious"
+    assert list(tmp_path.iterdir()) == [blocker]
+
+
+def test_reproduce_keeps_a_folder_that_holds_other_things(tmp_path):
+    (tmp_path / "thesis.tex").write_text("precious")
+    refused(cli("reproduce", tmp_path), "expected a new or empty folder")
+    assert (tmp_path / "thesis.tex").read_text() == "precious"
 
 
 def test_a_device_that_is_full():

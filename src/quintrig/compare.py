@@ -102,11 +102,11 @@ def _integral(integral: Integral) -> float:
 
 def _notes(found: Sequence[Variant]) -> tuple[str, ...]:
     summary = found[0].summary
-    formulas = ", ".join(f"{q.name} = {q.symbol}" for q in INTEGRALS if len(q.symbol) >= 8)
+    formulas = "; ".join(f"{q.name}: {q.symbol}" for q in INTEGRALS if len(q.symbol) >= 8)
     notes = [
         f"Lengths in {summary.unit}." if summary.unit else "Lengths are plain numbers: the model states no unit.",
         f"{summary.orientation[0].upper()}{summary.orientation[1:]}; means are over the area.",
-        f"The {formulas}.",
+        f"{formulas[0].upper()}{formulas[1:]}.",
     ]
     return (*notes, *(f"{one.label}: {warning}" for one in found for warning in one.summary.warnings))
 

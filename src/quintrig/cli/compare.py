@@ -10,19 +10,17 @@ from quintrig.cli.show import print_table
 from quintrig.errors import QuintrigError
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Sequence
-
-    from matplotlib.figure import Figure
+    from collections.abc import Callable, Sequence
 
     from quintrig.compare import Variant
     from quintrig.figure import View
-    from quintrig.model import Model
     from quintrig.table import Table
 
 _MOST = 12
 
 _EPILOG = session.examples(
-    ("quintrig compare lid.toml out/shapes", "the thesis's four sets of shape parameters"),
+    ("quintrig compare lid.toml out/shapes", "the thesis's four sets of shape parameters: page, pictures, tables"),
+    ("quintrig compare lid.toml shapes.html", "the page alone, in one file"),
     ("quintrig compare lid.toml out/shapes --shape 1,1,1,1 --shape 1,1,-3,-3", "sets of your own, two to twelve"),
     ("quintrig compare lid.toml", "the table of intensities alone, on the screen"),
 )
@@ -36,7 +34,10 @@ def register(app: typer.Typer) -> None:
 def compare(
     model: Annotated[Path, typer.Argument(metavar="MODEL", help="Model file, .toml or .json.", show_default=False)],
     out: Annotated[
-        Path | None, typer.Argument(metavar="OUT", help="Folder for pictures and tables.", show_default=False)
+        Path | None,
+        typer.Argument(
+            metavar="OUT", help="Folder for a page, pictures and tables, or one page.html.", show_default=False
+        ),
     ] = None,
     shape: Annotated[
         list[str] | None,
@@ -50,8 +51,8 @@ def compare(
 ) -> None:
     """Show the effect of shape parameters: several sets side by side.
 
-    Writes pictures on one scale of length and colour, and a table of intensities: least, greatest and mean K and H,
-    area and energies, as CSV, JSON, Markdown and LaTeX.
+    Writes a page with pictures on one scale of length and colour and a table of intensities: least, greatest and mean
+    K and H, area and energies. In a folder the pictures and the table are files too.
     """
     from quintrig.cli.plot import read_keys, read_view
 
@@ -63,60 +64,43 @@ def compare(
     shapes = [session.numbers(text, None, "--shape") for text in shape] if shape else standard_shapes(one)
     if len(shapes) > _MOST:
         raise ValueError(f"--shape: expected at most {_MOST} sets, got {len(shapes)}")
-    if out is not None and out.exists() and not out.is_dir():
-        raise QuintrigError(f"{out}: expected a folder to write to, found a file; choose another name")
+    if out is not None and out.is_file() and out.suffix.lower() != ".html":
+        raise QuintrigError(
+            f"{out}: expected a folder or an .html page to write, found another file; choose another name"
+        )
     title = f"{loaded.name}: effect of the shape parameters"
     changed = with_shapes(one, shapes)
-    steps = len(shapes) + (0 if out is None else 1 + 2 * len([key for key in keys if key]))
     with session.progress() as progress:
         found: list[Variant] = []
         for index, patch_with_shape in enumerate(changed):
-            progress(f"shape parameters {index + 1} of {len(shapes)}", index, steps)
+            progress(f"shape parameters {index + 1} of {len(changed)}", index, len(changed))
             found.append(variant(patch_with_shape, loaded.unit))
         table = intensities(found, title)
-        if out is not None:
-            _write_tables(out, table)
-            for index, (name, draw) in enumerate(_pictures(found, keys, seen, loaded)):
-                progress(name, len(shapes) + index, steps)
-                _save(draw(), out / name)
+        results = {} if out is None else _results(out, found, table, keys, seen, progress)
     if out is None:
         print_table(table, session.output())
-    else:
-        session.finished(out)
-
-
-def _write_tables(out: Path, table: "Table") -> None:
+        return
     from quintrig.files import write_whole
+
+    for path, content in results.items():
+        write_whole(path, content)
+    session.done(next(iter(results)))
+
+
+def _results(
+    out: Path,
+    found: "Sequence[Variant]",
+    table: "Table",
+    keys: "Sequence[str | None]",
+    view: "View",
+    progress: "Callable[[str, int, int], None]",
+) -> dict[Path, str | bytes]:
+    """Return the files to write, the page first: all is made before anything is written."""
+    from quintrig.compare_page import page, pictures
     from quintrig.typeset import SUFFIXES, WRITERS
 
-    for suffix, form in SUFFIXES.items():
-        write_whole(out / f"intensities{suffix}", WRITERS[form](table))
-
-
-def _save(figure: "Figure", path: Path) -> None:
-    from quintrig.figure import save
-
-    save(figure, path)
-
-
-def _pictures(
-    found: "Sequence[Variant]", keys: "Sequence[str | None]", view: "View", model: "Model"
-) -> "Iterator[tuple[str, Callable[[], Figure]]]":
-    """Return names of files and what draws them: the plain surfaces, then each quantity in space and as a map."""
-    from functools import partial
-
-    from quintrig.figure import Scene, comparison, map_comparison
-    from quintrig.quantity import quantity
-
-    surfaces = [variant.patch.surface for variant in found]
-    labels = [variant.label for variant in found]
-    plain, coloured = Scene(view=view, isolines=7), Scene(view=view)
-    for key in dict.fromkeys((None, *keys)):
-        title = f"{model.name}: {'surface' if key is None else quantity(key).name}"
-        scene = plain if key is None else coloured
-        yield (
-            f"{key or 'surface'}.png",
-            partial(comparison, surfaces, labels, key, scene, title=title, unit=model.unit),
-        )
-        if key is not None:
-            yield f"{key}_map.png", partial(map_comparison, surfaces, labels, key, title=title, unit=model.unit)
+    drawn = pictures(found, keys, view, table.title.partition(": effect")[0], progress)
+    if out.suffix.lower() == ".html":
+        return {out: page(found, table, drawn)}
+    tables = {out / f"intensities{suffix}": WRITERS[form](table) for suffix, form in SUFFIXES.items()}
+    return {out / "index.html": page(found, table, drawn), **{out / one.name: one.png for one in drawn}, **tables}

@@ -95,12 +95,6 @@ def progress() -> "Generator[Callable[[str, int, int], None]]":
         yield show
 
 
-def finished(folder: Path) -> None:
-    """Say where the results are: the path on stdout, a word on stderr."""
-    sys.stderr.write("The results are in:\n")
-    emit(printable(str(folder)))
-
-
 def done(page: Path) -> None:
     """Say where the page is: the path on stdout, so that a script can take it, with a word on stderr."""
     sys.stderr.write("The page is ready; open it in a browser:\n")
