@@ -139,13 +139,15 @@ def _run(sweep: "Sweep", scheduler: str | None) -> None:
 
 def _answer(found: "Sweep", question: "Question", top: int, plot: Path | None) -> None:
     """List the designs asked for, and draw them."""
+    from quintrig.integrate import orientation
     from quintrig.sweep.query import count, select
 
     unfinished = len(found.missing())
     if unfinished:
         session.messages().print(f"{unfinished} of {found.parts} parts are missing: the answer is of the others")
     matching = count(found, question)
-    session.emit(f"{matching:,} of {found.task.space.count:,} designs")
+    which = orientation(found.task.built().surface)
+    session.emit(f"{matching:,} of {found.task.space.count:,} designs; {which}")
     if matching:
         _list(select(found, question, top), found)
     if plot is not None:

@@ -1,7 +1,9 @@
 """The derivatives of rows and blend as functions of the design, at the points of a sweep.
 
-A surface built from control points is affine in each shape parameter, so five evaluations, at zero and with each
-parameter at one, give all designs by a weighted sum (Misro et al. 2017, from the form of f0, f1, f4 and f5).
+A surface built from control points is affine in each shape parameter, so five evaluations give all designs by a
+weighted sum (Misro et al. 2017, from the form of f0, f1, f4 and f5). They are taken at -4, where an edge stands still,
+and with each parameter far outside its range: so neither the small derivatives of designs near -4 nor the differences
+that the parameters are multiplied with suffer from cancellation.
 """
 
 from dataclasses import dataclass
@@ -13,6 +15,10 @@ from quintrig.definition import Bezier, Swung
 from quintrig.model import Patch
 from quintrig.surface import Surface
 from quintrig.sweep.space import SHAPE_NAMES, DesignSpace, parameters
+
+
+_BASE = -4.0
+_STEP = 2.0**20  # a power of two, so that dividing by it rounds nothing
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,12 +36,12 @@ def is_affine(patch: Patch, space: DesignSpace) -> bool:
 
 
 def affine_parts(patch: Patch, u: FloatArray, v: FloatArray, block: int) -> Parts:
-    """Return the parts for weights (α1, ζ1, α2, ζ2)."""
-    units = [patch.with_shape(shape).surface for shape in np.vstack([np.zeros(4), np.eye(4)]).tolist()]
-    rows, blends = zip(*(_derivatives(surface, u, v, block) for surface in units), strict=True)
+    """Return the parts for the weights of ``weights``."""
+    shapes = _BASE + _STEP * np.vstack([np.zeros(4), np.eye(4)])
+    rows, blends = zip(*(_derivatives(_at(patch, shape.tolist()), u, v, block) for shape in shapes), strict=True)
     return Parts(
-        np.stack([rows[0], *(row - rows[0] for row in rows[1:])]),
-        np.stack([blends[0], *(blend - blends[0] for blend in blends[1:])]),
+        np.stack([rows[0], *((row - rows[0]) / _STEP for row in rows[1:])]),
+        np.stack([blends[0], *((blend - blends[0]) / _STEP for blend in blends[1:])]),
     )
 
 
@@ -56,11 +62,16 @@ def with_parameters(patch: Patch, values: dict[str, float]) -> Patch:
 
 
 def weights(patch: Patch, space: DesignSpace, designs: FloatArray) -> FloatArray:
-    """Return (n, 4) shape parameters of designs (n, axes): those not varied keep the model's values."""
+    """Return the weights (n, 4) of designs (n, axes), from (α1, ζ1, α2, ζ2); those not varied are the model's."""
     result = np.tile(np.array(patch.shape), (len(designs), 1))
     for column, name in enumerate(space.names):
         result[:, SHAPE_NAMES.index(name)] = designs[:, column]
-    return result
+    return result - _BASE
+
+
+def _at(patch: Patch, shape: list[float]) -> Surface:
+    """Return the surface of any shape parameters."""
+    return patch.definition.model_copy(update={"shape": shape, "unchecked_shape": True}).surface()
 
 
 def _derivatives(surface: Surface, u: FloatArray, v: FloatArray, block: int) -> tuple[FloatArray, FloatArray]:

@@ -23,7 +23,7 @@ class Task:
     """A whole sweep as plain data, which travels to other machines."""
 
     model: dict[str, Any]
-    patch: str
+    patch: str | None
     space: DesignSpace
     points: int = 32
     thresholds: Thresholds = field(default_factory=Thresholds)

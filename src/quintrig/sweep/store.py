@@ -111,7 +111,7 @@ def load_sweep(folder: Path) -> Sweep:
     data = _read(folder)
     thresholds = Thresholds(float(data["relative"]), float(data["flat"]))
     space = DesignSpace.from_dict(data["space"])
-    return Sweep(folder, Task(data["model"], str(data["patch"]), space, int(data["points"]), thresholds))
+    return Sweep(folder, Task(data["model"], data["patch"], space, int(data["points"]), thresholds))
 
 
 def _sweep_out(folder: Path) -> None:
