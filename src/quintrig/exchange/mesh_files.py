@@ -115,7 +115,7 @@ def glb(mesh: Mesh, colours: FloatArray | None, remarks: Sequence[str], metres: 
 
 
 def vtu(mesh: Mesh, remarks: Sequence[str]) -> bytes:
-    """Return a VTK unstructured grid with every quantity as point data, real ones in float64; needs the extra ``mesh``."""
+    """Return a VTK unstructured grid with every quantity as point data, real ones as float64; needs extra ``mesh``."""
     meshio = need("meshio", "writing VTU")
     data = {"Normals": mesh.normals, "patch": mesh.patch.astype(np.int32), **mesh.values}
     grid = meshio.Mesh(mesh.points, [("triangle", mesh.triangles)], point_data=data)
