@@ -44,8 +44,9 @@ MISTAKES = [
     (["table", BOOT, "--grid", "-3x5"], "--grid: expected two counts such as 20x30, got '-3x5'"),
     (["table", BOOT, "--grid", "axb"], "--grid: expected two counts such as 20x30, got 'axb'"),
     (["table", BOOT, "--grid", "2x3x4"], "--grid: expected two counts"),
-    (["table", BOOT, "--grid", "100000x100000"], "--grid: expected at most 1,000,000 points"),
-    (["table", BOOT, "--grid", "9" * 5000], "--grid: expected at most 1,000,000 points"),
+    (["table", BOOT, "--grid", "100000x100000"], "--grid: expected at most 250,000 points"),
+    (["table", BOOT, "--grid", "9" * 5000], "--grid: expected at most 250,000 points"),
+    (["table", BOOT, "--grid", "51x50"], "--format: expected csv, json, md or latex for 2,550 points"),
     (["table", BOOT, "--grid", "3x3", "--at", "0,0"], "expected one of them"),
     (["plot", BOOT, "-o", "p.png", "--at", "0.5,7"], "v = 7 is outside the domain [0, 1]"),
     # quantities and forms
@@ -105,8 +106,8 @@ def test_a_mistake_is_told_in_one_line(arguments, words, tmp_path, monkeypatch):
         ("0.5\n", "row 1: expected 2 numbers, u and v, got 1"),
         ("0,0\n1,2,3\n", "row 2: expected 2 numbers, u and v, got 3"),
         ("0,0\na,b\n", "row 2: expected numbers, got 'a, b'"),
-        ("u,v\n", "expected 1 to 1,000,000 rows of u and v, got 0"),
-        ("", "expected 1 to 1,000,000 rows of u and v, got 0"),
+        ("u,v\n", "expected 1 to 250,000 rows of u and v, got 0"),
+        ("", "expected 1 to 250,000 rows of u and v, got 0"),
     ],
 )
 def test_points_of_a_file(text, words, tmp_path):

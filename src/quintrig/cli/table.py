@@ -12,7 +12,8 @@ from quintrig.cli.show import list_quantities, print_table
 if TYPE_CHECKING:
     from quintrig.arrays import FloatArray
 
-_MOST = 1_000_000  # points: what a table can hold in memory and a person could want
+_MOST = 250_000  # points: a table keeps all its cells in memory; quintrig grid does not
+_MOST_SHOWN = 2_500
 
 _EPILOG = session.examples(
     ("quintrig table lid.toml", "5 x 5 points of the surface, on the screen"),
@@ -68,8 +69,15 @@ def table(
     Gaussian and mean curvature, principal curvatures, shape index and curvedness, the four classifications and the six
     algebraic invariants. It says the unit, which way the normal points, and what counts as zero.
     """
+    import numpy as np
+
     chosen = _format(form, output)
     u, v = _points(at, grid, points)
+    count = np.broadcast(u, v).size
+    if chosen == "text" and count > _MOST_SHOWN:
+        raise ValueError(
+            f"--format: expected csv, json, md or latex for {count:,} points; the screen shows at most {_MOST_SHOWN:,}"
+        )
     loaded = session.load(model)
     from quintrig.table import tabulate
     from quintrig.typeset import WRITERS
