@@ -12,12 +12,17 @@ _HELP = """Quintic trigonometric Bézier surfaces: build them, read their curvat
 A model is a small TOML or JSON file of control points and shape parameters.
 """
 
-_EPILOG = """[bold]First steps[/bold]
-  [cyan]quintrig new swept -o lid.toml[/cyan]
-  [cyan]quintrig check lid.toml[/cyan]
-  [cyan]quintrig report lid.toml out/lid[/cyan]
-[dim]Exit codes: 0 done; 1 check --strict found problems; 2 a mistake in the command or the model;
-70 a fault in quintrig; 130 interrupted.[/dim]"""
+_EPILOG = "\n".join(
+    (
+        "[bold]First steps[/bold]",
+        "  [cyan]quintrig new swept -o lid.toml[/cyan]",
+        "  [cyan]quintrig check lid.toml[/cyan]",
+        "  [cyan]quintrig report lid.toml out/lid[/cyan]",
+        "",
+        "[dim]Exit codes: 0 done; 1 check --strict found problems; 2 a mistake in the command or the model; "
+        "70 a fault in quintrig; 130 interrupted.[/dim]",
+    )
+)
 
 
 def build() -> typer.Typer:
