@@ -24,7 +24,6 @@ if TYPE_CHECKING:
     from quintrig.integrate import integrals as integrals
     from quintrig.model import Model as Model
     from quintrig.model import load as load
-    from quintrig.nurbs import nurbs as nurbs
     from quintrig.reference import catenoid as catenoid
     from quintrig.reference import cone as cone
     from quintrig.reference import cylinder as cylinder
@@ -51,7 +50,6 @@ _HOME = {
     "integrate": ("integrals",),
     "summary": ("summarise",),
     "stream": ("analyse_blocks",),
-    "nurbs": ("nurbs",),
     "classify": ("Thresholds",),
     "construct": ("ruled", "swept", "swung", "symmetric", "tensor"),
     "curve": ("Curve",),
