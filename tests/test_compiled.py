@@ -1,0 +1,278 @@
+"""Compiled code: found again on disk, safe whatever state the folder is in, and true to its definition."""
+
+import ast
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numba
+import numpy as np
+import pytest
+
+import oracle
+import quintrig
+from quintrig import compiled
+from quintrig.basis import Bernstein, Trigonometric
+from quintrig.blocks import BLOCK, derivative_blocks, pad
+from quintrig.functions import Circular, Joined
+
+SOURCE = Path(quintrig.__file__).parent
+
+WORK = """
+import gc, json, sys
+import numpy as np
+from numba.core.caching import IndexDataCacheFile
+from numba.core.dispatcher import Dispatcher
+{before}
+import quintrig
+from quintrig import compiled
+x, y = np.meshgrid(np.linspace(0, 5, 6), np.linspace(0, 5, 6), indexing="ij")
+surface = quintrig.tensor(np.stack([x, y, np.sin(x) * np.cos(y)], axis=-1), (0.5, -1, -3, 1))
+u, v = quintrig.grid(5, 6)
+work = {{
+    "grid": lambda: quintrig.analyse(surface, u, v, ("gaussian", "mean")),
+    "points": lambda: quintrig.analyse(surface, u.ravel(), v[0, :5], ("gaussian", "mean")),
+}}
+values = {{key: {{q: work[key]()[q].tolist() for q in ("gaussian", "mean")}} for key in sys.argv[1:]}}
+mine = [d for d in gc.get_objects() if isinstance(d, Dispatcher) and d.py_func.__module__.startswith("quintrig")]
+stats = [d.stats for d in mine if d.stats.cache_path]
+print(json.dumps({{
+    "values": values,
+    "hits": sum(sum(s.cache_hits.values()) for s in stats),
+    "misses": sum(sum(s.cache_misses.values()) for s in stats),
+    "folder": str(compiled.cache_folder() or ""),
+}}))
+"""
+
+
+def start(*work, before="", **environment):
+    kept = {k: v for k, v in os.environ.items() if k not in ("NUMBA_CACHE_DIR", "XDG_CACHE_HOME")}
+    line = [sys.executable, "-c", WORK.format(before=before), *work]
+    return subprocess.Popen(line, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=kept | environment)
+
+
+def outcome(child):
+    out, err = child.communicate(timeout=300)
+    assert child.returncode == 0, err
+    assert err == ""
+    return json.loads(out)
+
+
+def run(*work, **arguments):
+    return outcome(start(*work, **arguments))
+
+
+@pytest.fixture(scope="module")
+def filled(tmp_path_factory):
+    """A folder filled by one process, and what that process said."""
+    folder = tmp_path_factory.mktemp("cache")
+    return folder, run("grid", "points", NUMBA_CACHE_DIR=str(folder))
+
+
+# ---------------------------------------------------------------------------------------------- the folder
+
+
+def test_a_second_process_compiles_nothing(filled):
+    folder, first = filled
+    second = run("grid", "points", NUMBA_CACHE_DIR=str(folder))
+    assert (first["hits"], first["misses"] > 0) == (0, True)
+    assert (second["hits"], second["misses"]) == (3, 0)  # two drivers and the basis
+    assert second["values"] == first["values"]
+
+
+def test_processes_that_start_at_once_share_an_empty_folder(filled, tmp_path):
+    children = [start(work, NUMBA_CACHE_DIR=str(tmp_path)) for work in ("grid", "points", "grid")]
+    for child, work in zip(children, ("grid", "points", "grid"), strict=True):
+        assert outcome(child)["values"][work] == filled[1]["values"][work]
+    again = run("grid", "points", NUMBA_CACHE_DIR=str(tmp_path))
+    assert again["values"] == filled[1]["values"]
+
+
+def test_code_that_two_processes_save_at_the_same_moment_is_not_mixed_up(filled, tmp_path):
+    # The worst order of events: between the index and the data of the first process, a second one, which read the
+    # index before it was there, writes both of its own for another driver.
+    second = """
+IndexDataCacheFile._load_index = lambda self: {}
+"""
+    path = tmp_path / "second.py"
+    path.write_text(WORK.format(before=second))
+    first = f"""
+import subprocess
+save = IndexDataCacheFile._save_data
+def late(self, name, data):
+    if "drive" in name:
+        subprocess.run([sys.executable, {str(path)!r}, "points"], check=True, stdout=subprocess.DEVNULL)
+    save(self, name, data)
+IndexDataCacheFile._save_data = late
+"""
+    run("grid", before=first, NUMBA_CACHE_DIR=str(tmp_path))
+    for work in ("points", "grid"):
+        assert run(work, NUMBA_CACHE_DIR=str(tmp_path))["values"][work] == filled[1]["values"][work]
+
+
+@pytest.mark.parametrize("damage", ["empty", "junk"])
+def test_a_damaged_folder_costs_time_and_nothing_else(filled, tmp_path, damage):
+    run("grid", NUMBA_CACHE_DIR=str(tmp_path))
+    files = [file for file in tmp_path.rglob("*.nb*") if file.is_file()]
+    assert files
+    for file in files:
+        file.write_bytes(b"" if damage == "empty" else b"\x80junk" * 9)
+    assert run("grid", NUMBA_CACHE_DIR=str(tmp_path))["values"]["grid"] == filled[1]["values"]["grid"]
+
+
+def test_a_full_disk_costs_time_and_nothing_else(filled, tmp_path):
+    full = """
+import contextlib, errno
+@contextlib.contextmanager
+def full(self, path):
+    raise OSError(errno.ENOSPC, "No space left on device")
+    yield
+IndexDataCacheFile._open_for_write = full
+"""
+    assert run("grid", before=full, NUMBA_CACHE_DIR=str(tmp_path))["values"]["grid"] == filled[1]["values"]["grid"]
+
+
+def test_without_any_folder_everything_works(filled, tmp_path):
+    (tmp_path / "file").write_text("")
+    # A folder below a file cannot be made, not even by root.
+    found = run("grid", NUMBA_CACHE_DIR=str(tmp_path / "file" / "below"))
+    assert found["folder"] == ""
+    assert found["values"]["grid"] == filled[1]["values"]["grid"]
+
+
+@pytest.mark.parametrize("name", ["NUMBA_CACHE_DIR", "XDG_CACHE_HOME", "HOME"])
+def test_the_folder_is_where_the_environment_says_or_none(name, tmp_path, monkeypatch):
+    for other in ("NUMBA_CACHE_DIR", "XDG_CACHE_HOME"):
+        monkeypatch.delenv(other, raising=False)
+    monkeypatch.setenv(name, str(tmp_path / "place"))
+    folder = compiled.cache_folder()
+    assert folder is not None
+    assert folder.is_relative_to(tmp_path / "place")
+    assert folder.is_dir()
+    assert not list(folder.iterdir())
+    (tmp_path / "file").write_text("")
+    monkeypatch.setenv(name, str(tmp_path / "file" / "below"))
+    assert compiled.cache_folder() is None
+
+
+def test_a_folder_that_cannot_be_written_is_not_used(tmp_path, monkeypatch):
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
+
+    def refuse(*arguments, **keywords):
+        raise PermissionError(13, "Permission denied")
+
+    monkeypatch.setattr(compiled.tempfile, "TemporaryFile", refuse)
+    assert compiled.cache_folder() is None
+
+
+def test_a_change_in_any_source_means_another_folder(tmp_path, monkeypatch):
+    folders = {compiled.cache_folder()}
+    read = Path.read_bytes
+    for name in compiled.SOURCES:
+        changed = (SOURCE / f"{name}.py").resolve()
+        monkeypatch.setattr(
+            Path, "read_bytes", lambda self, changed=changed: read(self) + (b"#" if self.resolve() == changed else b"")
+        )
+        folders.add(compiled.cache_folder())
+        monkeypatch.undo()
+    assert len(folders) == len(compiled.SOURCES) + 1
+
+
+# ---------------------------------------------------------------------------------------------- the sources
+
+
+def imports(path):
+    """Return the modules of quintrig that a file names in imports, as paths without the ending."""
+    found = set()
+    for node in ast.walk(ast.parse(path.read_text())):
+        if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("quintrig"):
+            base = node.module.split(".")[1:]
+            found.add("/".join(base))
+            found |= {"/".join([*base, alias.name]) for alias in node.names}
+    return {name for name in found if name and (SOURCE / f"{name}.py").exists()}
+
+
+def test_every_module_with_compiled_code_is_among_the_sources():
+    modules = {str(file.relative_to(SOURCE).with_suffix("")) for file in SOURCE.rglob("*.py")}
+    using = {name for name in modules if "compiled" in imports(SOURCE / f"{name}.py")}
+    assert using
+    assert using <= set(compiled.SOURCES)
+    assert all((SOURCE / f"{name}.py").exists() for name in compiled.SOURCES)
+
+
+def test_every_module_that_compiled_code_takes_values_from_is_among_the_sources():
+    # Modules that only give types, NumPy-level functions or objects handed in at run time stay out.
+    harmless = {"arrays", "basis", "functions", "surface"}
+    for name in set(compiled.SOURCES) - {"quantity"}:
+        assert imports(SOURCE / f"{name}.py") <= set(compiled.SOURCES) | harmless, name
+
+
+def test_numba_settings_of_others_are_left_alone():
+    config = numba.config
+    before = config.CACHE_DIR
+
+    def bad():
+        raise AssertionError
+
+    assert compiled.loop(bad)
+    assert before == config.CACHE_DIR
+    with pytest.raises(TypeError):
+        compiled.loop("no function")
+    assert before == config.CACHE_DIR
+
+
+# ---------------------------------------------------------------------------------------------- the basis
+
+SHAPES = [(0.0, 0.0), (1.0, 1.0), (-4.0, -4.0), (1.0, -4.0), (-4.0 + 1e-9, -4.0 + 1e-13), (-3.999, 0.7), (0.25, -2.5)]
+NEAR = np.array([0.0, 1e-300, 1e-150, 1e-12, 1e-7, 1e-3, 0.01, 0.1, 0.3])
+PLACES = np.concatenate([NEAR, [0.45, np.nextafter(0.5, 0), 0.5, np.nextafter(0.5, 1), 0.55], 1.0 - NEAR[::-1]])
+
+
+def unpacked(functions, t):
+    """Return the compiled values as (3, n, size)."""
+    blocks = derivative_blocks(functions, t)
+    return blocks.transpose(1, 0, 3, 2).reshape(3, -1, functions.size)[:, : len(t)]
+
+
+def room(exact, t):
+    """Return what a derivative is measured against: itself and the lower ones by the distance to the nearer end."""
+    with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
+        over = 1.0 / np.maximum(np.minimum(t, 1.0 - t), 1e-305)[:, None]
+        first = np.abs(exact[1]) + np.abs(exact[0]) * over
+        second = np.abs(exact[2]) + np.abs(exact[1]) * over
+    return np.stack([np.abs(exact[0]), first, second])
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+def test_the_compiled_basis_is_that_of_40_digits(shape):
+    functions = Trigonometric(*shape)
+    exact = np.array([oracle.trigonometric(t, *shape, order=2) for t in PLACES], dtype=float).transpose(1, 0, 2)
+    found = unpacked(functions, PLACES)
+    inside = (PLACES > 0.0) & (PLACES < 1.0)
+    error, allowed = np.abs(found - exact), 1e-14 * room(exact, PLACES)
+    # The oracle works with expanded polynomials: of its 60 digits some are lost.
+    assert (error[:, inside] <= allowed[:, inside] + 1e-56).all()
+    assert (error[:, ~inside] <= 1e-14 * np.abs(exact[:, ~inside]) + 1e-56).all()
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+def test_the_compiled_basis_is_the_definition(shape):
+    t = np.sort(np.concatenate([PLACES, np.random.default_rng(7).random(1000) ** 3]))
+    functions = Trigonometric(*shape)
+    wanted = functions.derivatives(t, 2)
+    inside = (t > 0.0) & (t < 1.0)
+    error, allowed = np.abs(unpacked(functions, t) - wanted), 2e-14 * room(wanted, t)
+    assert (error[:, inside] <= allowed[:, inside] + 1e-290).all()
+
+
+@pytest.mark.parametrize("count", [1, BLOCK - 1, BLOCK, BLOCK + 1, 3 * BLOCK])
+def test_blocks_hold_all_points_and_repeat_the_last(count):
+    t = np.linspace(0.1, 0.9, count)
+    blocks = pad(t)
+    assert blocks.shape == (-(-count // BLOCK), BLOCK)
+    assert np.array_equal(blocks.ravel()[:count], t)
+    assert (blocks.ravel()[count:] == t[-1]).all()
+    for functions in (Trigonometric(0.5, -3.0), Bernstein(4), Joined((Circular(0.0, 4.0), Trigonometric(1.0, -4.0)))):
+        np.testing.assert_allclose(unpacked(functions, t), functions.derivatives(t, 2), rtol=0, atol=1e-12)
