@@ -20,10 +20,15 @@ function shelter(element: HTMLElement): HTMLElement {
   return place;
 }
 
+/** Let scripts and tests find the studio of an element. */
+function reachable(element: HTMLElement, studio: Studio): Studio {
+  return Object.assign(element, { studio }).studio;
+}
+
 /** The viewer of a page from disk. */
 export function embed(element: HTMLElement, data: { model: unknown; quantity?: string; place?: string }): Studio {
   const host = new PageHost("embedded", data.place ?? location.pathname);
-  return new Studio(shelter(element), host, { model: fromDict(data.model), source: null, ...(data.quantity ? { quantity: data.quantity } : {}) });
+  return reachable(element, new Studio(shelter(element), host, { model: fromDict(data.model), source: null, ...(data.quantity ? { quantity: data.quantity } : {}) }));
 }
 
 /** The live studio: asks the server that the page came from for the model. */
@@ -40,7 +45,7 @@ export async function live(element: HTMLElement, place: string): Promise<Studio>
   };
   studio.store.subscribe(title);
   title();
-  return studio;
+  return reachable(element, studio);
 }
 
 interface WidgetModel {
@@ -60,7 +65,7 @@ function render({ model, el }: { model: WidgetModel; el: HTMLElement }): () => v
     model.set("model", JSON.parse(echo));
     model.save_changes();
   };
-  const studio = new Studio(shelter(el), new PageHost("notebook", "notebook"), {
+  const studio = reachable(el, new Studio(shelter(el), new PageHost("notebook", "notebook"), {
     model: fromDict(model.get("model")), source: null, quantity: String(model.get("quantity")),
     onModel(now) {
       const text = JSON.stringify(toDict(now));
@@ -72,7 +77,7 @@ function render({ model, el }: { model: WidgetModel; el: HTMLElement }): () => v
         send();
       }, 60);
     },
-  });
+  }));
   echo = JSON.stringify(toDict(studio.store.state.model));
   const receive = () => {
     const next = fromDict(model.get("model")), text = JSON.stringify(toDict(next));

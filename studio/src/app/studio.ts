@@ -15,7 +15,7 @@ import { ProbePanel } from "../ui/probe";
 import { StatusBar } from "../ui/status";
 import { TopBar } from "../ui/topbar";
 import type { ViewName } from "../view/camera";
-import { frameOf, UNIT_FRAME, type Frame } from "../view/frame";
+import { frameOf, toScene, UNIT_FRAME, type Frame } from "../view/frame";
 import { compose } from "../view/picture";
 import { sharpest, type Sharpest } from "../view/radius";
 import { rangeOf, type Range } from "../view/range";
@@ -376,6 +376,15 @@ export class Studio {
       this.refit = true;
       this.store.edit(left.model);
     }, "Discard", () => void this.drafts.forget());
+  }
+
+  /** Where the handle of a control point is in the window, in CSS pixels; null where there is none. */
+  locate(id: string): { x: number; y: number } | null {
+    const { state } = this.store, patch = state.model.patches[state.patch]!;
+    const handle = handles(patch, build(patch)).find((one) => one.id === id);
+    if (!handle) return null;
+    const p = this.stage.project(0, toScene(this.frame, handle.position)), box = this.canvas.getBoundingClientRect();
+    return { x: box.left + p.x, y: box.top + p.y };
   }
 
   /** Show another model that came from outside, such as a notebook's kernel. */

@@ -1,0 +1,505 @@
+"""The studio in a real browser (Debian's Chromium): what a designer does there, and what it must withstand."""
+
+import json
+import os
+import threading
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import quintrig
+from quintrig.studio import embed, policy
+from test_studio_numbers import JOBS, compare
+
+CHROMIUM = Path("/usr/bin/chromium")
+SCREENS = Path(__file__).parents[1] / "out" / "studio"
+MODEL = Path(__file__).parents[1] / "examples" / "car_boot.toml"
+FLAGS = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+DRAW = "() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
+
+
+def _missing():
+    try:
+        import playwright.sync_api  # noqa: F401
+        import uvicorn  # noqa: F401
+    except ModuleNotFoundError as error:
+        return f"{error.name} is not installed: pip install 'quintrig[dev]'"
+    return "" if CHROMIUM.exists() else f"{CHROMIUM} is missing: apt-get install chromium"
+
+
+if _missing() and os.environ.get("CI") == "true":
+    raise RuntimeError(_missing())
+pytestmark = pytest.mark.skipif(bool(_missing()), reason=_missing())
+
+
+@pytest.fixture(scope="module")
+def browser():
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as playwright:
+        chromium = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
+        yield chromium
+        chromium.close()
+
+
+class Served:
+    """A running studio over a folder with one model."""
+
+    def __init__(self, folder, port=0):
+        import uvicorn
+
+        from quintrig.studio import server
+
+        self.path = folder / "lid.toml"
+        if not self.path.exists():
+            self.path.write_text(MODEL.read_text())
+        self.site = server.site(self.path, port=port)
+        config = uvicorn.Config(
+            server.application(self.site), host=self.site.host, port=self.site.port, log_level="error", lifespan="off",
+            timeout_graceful_shutdown=1,
+        )  # fmt: skip
+        self.server = uvicorn.Server(config)
+        self.thread = threading.Thread(target=self.server.run, daemon=True)
+        self.thread.start()
+        while not self.server.started:
+            time.sleep(0.02)
+
+    def stop(self):
+        self.server.should_exit = True
+        self.thread.join(10)
+
+
+@pytest.fixture
+def served(tmp_path):
+    one = Served(tmp_path)
+    yield one
+    one.stop()
+
+
+@pytest.fixture
+def context(browser):
+    made = browser.new_context(viewport={"width": 1280, "height": 720}, accept_downloads=True)
+    made.set_default_timeout(20_000)
+    yield made
+    made.close()
+
+
+def opened(context, address, problems=None):
+    page = context.new_page()
+    if problems is not None:
+        page.on("console", lambda m: problems.append(m.text) if m.type in ("error", "warning") else None)
+        page.on("pageerror", lambda e: problems.append(str(e)))
+    page.goto(address)
+    page.locator(".studio").wait_for()
+    page.evaluate(DRAW)
+    return page
+
+
+def state(page, path="model"):
+    return page.evaluate(f"document.querySelector('[data-quintrig]').studio.store.state.{path}")
+
+
+def kept(page, name):
+    """Keep a screenshot as a test artefact."""
+    SCREENS.mkdir(parents=True, exist_ok=True)
+    page.evaluate(DRAW)
+    page.screenshot(path=SCREENS / f"{name}.png")
+
+
+def until(page, expression):
+    """Wait for an expression to be true; the page's policy forbids Playwright's own way, which needs eval."""
+    for _ in range(200):
+        if page.evaluate(expression):
+            return
+        page.wait_for_timeout(50)
+    raise AssertionError(f"never true: {expression}")
+
+
+def shape_of(page):
+    return state(page, "model.patches[0].shape")
+
+
+@pytest.mark.parametrize("size", [(1280, 720), (1920, 1080)])
+def test_it_opens_without_complaint_and_asks_nobody_else(context, served, size):
+    problems, asked = [], []
+    context.on("request", lambda request: asked.append(request.url))
+    page = opened(context, served.site.address, problems)
+    page.set_viewport_size({"width": size[0], "height": size[1]})
+    kept(page, f"open-{size[0]}")
+    assert page.title() == "Car boot lid – quintrig"
+    assert "token" not in page.url
+    own = f"http://127.0.0.1:{served.site.port}/"
+    assert all(url.startswith((own, "blob:", "data:")) for url in asked), asked
+    assert problems == []
+    # Nothing runs out of the window, and the surface is really drawn: the picture has the map's colours in it.
+    wide = page.evaluate("document.documentElement.scrollWidth")
+    assert wide == size[0]
+    shown = page.evaluate(
+        """() => { const s = document.querySelector('[data-quintrig]').studio; s.stage.draw();
+        const c = document.createElement('canvas'); c.width = c.height = 64;
+        const x = c.getContext('2d'); x.drawImage(s.stage.canvas, 0, 0, 64, 64);
+        return Array.from(x.getImageData(0, 0, 64, 64).data).filter((v, i) => i % 4 === 3 && v > 200).length; }"""
+    )
+    assert shown > 400
+
+
+def test_a_slider_is_moved_undone_and_redone(context, served):
+    page = opened(context, served.site.address)
+    before = shape_of(page)
+    slider = page.get_by_label("alpha 2", exact=True)
+    slider.focus()
+    for _ in range(5):
+        page.keyboard.press("ArrowLeft")
+    assert shape_of(page) == pytest.approx([*before[:2], before[2] - 0.05, before[3]])
+    page.get_by_label("alpha 2, number").fill("-3.25")
+    page.keyboard.press("Enter")
+    assert shape_of(page)[2] == -3.25
+    page.get_by_label("alpha 2, number").fill("7")
+    page.keyboard.press("Enter")
+    assert shape_of(page)[2] == -3.25
+    page.locator("canvas.view").focus()
+    page.keyboard.press("Control+z")
+    assert shape_of(page)[2] == pytest.approx(before[2] - 0.05)
+    page.keyboard.press("Control+Shift+z")
+    assert shape_of(page)[2] == -3.25
+    assert page.locator(".dirty").is_visible()
+
+
+def test_a_control_point_is_dragged_along_a_free_axis_only(context, served):
+    page = opened(context, served.site.address)
+    before = state(page, "model.patches[0].section")
+    page.locator(".locks .toggle", has_text="y").click()
+    page.locator(".locks .toggle", has_text="x").click()
+    at = page.evaluate("document.querySelector('[data-quintrig]').studio.locate('section[1]')")
+    page.mouse.move(at["x"], at["y"])
+    page.mouse.down()
+    page.mouse.move(at["x"] + 3, at["y"] - 30, steps=4)
+    page.mouse.move(at["x"] + 5, at["y"] - 60, steps=4)
+    page.mouse.up()
+    kept(page, "dragged")
+    after = state(page, "model.patches[0].section")
+    assert after[1][:2] == before[1][:2]
+    assert after[1][2] > before[1][2] + 20
+    assert [after[i] for i in (0, 2, 3, 4, 5)] == [before[i] for i in (0, 2, 3, 4, 5)]
+    now = page.evaluate("document.querySelector('[data-quintrig]').studio.locate('section[1]')")
+    assert abs(now["y"] - (at["y"] - 60)) < 4
+    page.keyboard.press("Control+z")  # one drag, one step
+    assert state(page, "model.patches[0].section") == before
+
+
+def test_the_arrow_keys_move_the_chosen_point(context, served):
+    page = opened(context, served.site.address)
+    before = np.array(state(page, "model.patches[0].section"))
+    page.locator("canvas.view").focus()
+    page.keyboard.press("3")
+    page.wait_for_timeout(400)
+    page.keyboard.press("]")
+    assert state(page, "selected") == "section[0]"
+    page.keyboard.press("ArrowUp")
+    after = np.array(state(page, "model.patches[0].section"))
+    assert (after - before)[0] == pytest.approx([0, 0, state(page, "settings.snapStep")])
+
+
+def test_the_probe_tells_what_python_tells(context, served, tmp_path):
+    page = opened(context, served.site.address)
+    box = page.locator("canvas.view").bounding_box()
+    page.mouse.click(box["x"] + 0.42 * box["width"], box["y"] + 0.5 * box["height"])
+    page.get_by_label("u to pin").fill("0.25")
+    page.get_by_label("v to pin").fill("0.75")
+    page.keyboard.press("Tab")
+    page.get_by_role("button", name="Pin the point").click()
+    kept(page, "probe")
+    pins = state(page, "pins")
+    assert len(pins) == 2
+    assert page.locator(".probe tbody tr").count() == 2
+    with page.expect_download() as waiting:
+        page.get_by_role("button", name="Save the table as CSV").click()
+    target = tmp_path / "probe.csv"
+    waiting.value.save_as(target)
+    lines = [line for line in target.read_text().splitlines() if not line.startswith("#")]
+    names = lines[0].split(",")
+    surface = quintrig.load(served.path).surface
+    for pin, line in zip(pins, lines[1:], strict=True):
+        row = dict(zip(names, line.split(","), strict=True))
+        sample = quintrig.analyse(surface, pin["u"], pin["v"])
+        for key in ("gaussian", "mean", "k1", "k2", "curvedness", "shape_index"):
+            assert float(row[key]) == pytest.approx(float(sample[key]), rel=1e-10)
+        assert row["hk_type"] == quintrig.quantity.BY_KEY["hk_type"].classes[int(sample["hk_type"])]
+
+
+def test_saving_writes_the_file_and_a_changed_file_is_not_lost(context, served):
+    page = opened(context, served.site.address)
+    page.get_by_label("zeta 2, number").fill("-2")
+    page.keyboard.press("Enter")
+    page.keyboard.press("Control+s")
+    page.get_by_text("Saved lid.toml").wait_for()
+    assert quintrig.load(served.path).patches[0].shape == (1, 1, 0, -2)
+    comments = [line for line in MODEL.read_text().splitlines() if line.startswith("#")]
+    assert all(comment in served.path.read_text() for comment in comments)
+    assert not page.locator(".dirty").is_visible()
+    served.path.write_text('kind = "torus"\n')
+    page.get_by_label("zeta 2, number").fill("-1")
+    page.keyboard.press("Enter")
+    page.keyboard.press("Control+s")
+    page.get_by_role("button", name="Cancel").click()
+    assert served.path.read_text() == 'kind = "torus"\n'
+    page.keyboard.press("Control+s")
+    page.get_by_role("button", name="Overwrite it").click()
+    page.get_by_text("Saved lid.toml").wait_for()
+    assert quintrig.load(served.path).patches[0].shape == (1, 1, 0, -1)
+
+
+def test_unsaved_work_is_offered_after_a_reload_and_a_restart(context, served, tmp_path):
+    page = opened(context, served.site.address)
+    page.get_by_label("alpha 1, number").fill("-3.5")
+    page.keyboard.press("Enter")
+    page.reload()
+    page.get_by_text("Unsaved work").wait_for()
+    kept(page, "draft")
+    assert shape_of(page)[0] == 1
+    page.get_by_role("button", name="Restore it").click()
+    assert shape_of(page)[0] == -3.5
+    page.wait_for_timeout(600)
+    page.close()
+    served.stop()
+    again = Served(tmp_path)
+    try:
+        assert again.site.port == served.site.port
+        page = opened(context, again.site.address)
+        page.get_by_role("button", name="Restore it").click()
+        assert shape_of(page)[0] == -3.5
+    finally:
+        again.stop()
+
+
+def test_two_tabs_do_not_disturb_each_other(context, served):
+    first, second = opened(context, served.site.address), opened(context, served.site.address)
+    first.get_by_label("alpha 1, number").fill("-1")
+    first.keyboard.press("Enter")
+    first.wait_for_timeout(600)
+    assert shape_of(second)[0] == 1
+    third = opened(context, served.site.address)
+    third.wait_for_timeout(300)
+    assert third.get_by_text("Unsaved work").count() == 0
+    first.reload()
+    first.get_by_text("Unsaved work").wait_for()
+
+
+def test_a_bad_file_gets_the_message_of_the_command_line_and_the_work_is_kept(context, served, tmp_path):
+    page = opened(context, served.site.address)
+    page.get_by_label("alpha 1, number").fill("-1")
+    page.keyboard.press("Enter")
+    bad = tmp_path / "bad.toml"
+    bad.write_text('kind = "swept"\nsection = [[0, 0, 0], [1, 2]]\n')
+    with pytest.raises(quintrig.ModelError) as told:
+        quintrig.load(bad)
+    drop = """([name, text]) => { const data = new DataTransfer(); data.items.add(new File([text], name));
+        document.querySelector('[data-quintrig]').studio.root.dispatchEvent(
+          new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true })); }"""
+    page.evaluate(drop, [bad.name, bad.read_text()])
+    page.get_by_role("alert").filter(has_text=str(told.value).replace(str(bad), "bad.toml")).wait_for()
+    kept(page, "bad-file")
+    assert shape_of(page)[0] == -1
+    page.evaluate(drop, ["good.json", '{"kind": "torus"}'])
+    page.get_by_role("button", name="Leave them").click()
+    until(page, "document.querySelector('[data-quintrig]').studio.store.state.model.patches[0].kind === 'torus'")
+
+
+def test_four_sets_share_one_scale(context, served):
+    page = opened(context, served.site.address)
+    page.get_by_role("radio", name="Four sets").click()
+    page.evaluate(DRAW)
+    assert page.locator(".cell-label").all_text_contents() == [
+        "(1, 1, 1, 1)", "(1, 1, −3, −3)", "(1, −3, 1, −3)", "(1, 0, −2, −3)",
+    ]  # fmt: skip
+    kept(page, "four-sets")
+    ranges = page.evaluate(
+        """() => document.querySelector('[data-quintrig]').studio.stage.cells.map(
+        (c) => c.pieces[0].mesh.material.uniforms.range.value.toArray())"""
+    )
+    assert len(ranges) == 4
+    assert all(one == ranges[0] for one in ranges)
+    page.get_by_role("radio", name="Before | now").click()
+    assert page.locator(".cell-label").all_text_contents() == ["before", "now"]
+
+
+def test_every_kind_and_quantity_is_drawn(context, served):
+    problems = []
+    page = opened(context, served.site.address, problems)
+    kinds = page.get_by_label("Construction", exact=True).locator("option").evaluate_all("(o) => o.map((x) => x.value)")
+    for kind in kinds:
+        page.get_by_label("Construction", exact=True).select_option(kind)
+        page.evaluate(DRAW)
+        assert state(page, "model.patches[0].kind") == kind
+    page.keyboard.press("Control+z")
+    quantities = page.get_by_label("Colour by").locator("option").evaluate_all("(o) => o.map((x) => x.value)")
+    for key in quantities:
+        page.get_by_label("Colour by").select_option(key)
+        page.evaluate(DRAW)
+    assert len(quantities) > 20
+    for label in ("Directions", "Normals", "Smallest radius", "Wireframe", "Contour lines"):
+        page.locator(".toggle", has_text=label).first.click()
+    for value in ("zebra", "isophotes", "reflection", "highlight"):
+        page.locator(f"[aria-label='Light lines'] [data-value={value}]").click()
+        page.evaluate(DRAW)
+    kept(page, "everything")
+    assert problems == []
+
+
+def test_a_picture_of_any_size(context, served, tmp_path):
+    from PIL import Image
+
+    page = opened(context, served.site.address)
+    page.get_by_role("button", name="Save a picture").click()
+    page.get_by_label("Width in pixels").fill("900")
+    page.get_by_label("Height in pixels").fill("500")
+    page.get_by_label("Background").select_option("white")
+    with page.expect_download() as waiting:
+        page.get_by_role("button", name="Save PNG").click()
+    SCREENS.mkdir(parents=True, exist_ok=True)
+    target = SCREENS / "picture.png"
+    waiting.value.save_as(target)
+    image = Image.open(target).convert("RGB")
+    assert image.size == (900, 500)
+    assert image.getpixel((5, 250)) == (255, 255, 255)
+    assert len(image.getcolors(900 * 500)) > 500
+
+
+def test_exports_through_the_server(context, served, tmp_path):
+    page = opened(context, served.site.address)
+    page.wait_for_timeout(300)
+    page.get_by_role("button", name="Export").click()
+    entry = page.get_by_role("menuitem", name="STL")
+    if not entry.count():
+        pytest.skip("the exchange package writes no STL here")
+    with page.expect_download() as waiting:
+        entry.click()
+    waiting.value.save_as(tmp_path / "lid.stl")
+    assert (tmp_path / "lid.stl").stat().st_size > 10_000
+
+
+def test_every_control_has_a_name_and_shows_its_focus(context, served):
+    page = opened(context, served.site.address)
+    nameless = page.evaluate(
+        """() => [...document.querySelector('[data-quintrig]').shadowRoot
+          .querySelectorAll('button, input, select, canvas[tabindex]')]
+        .filter((e) => !(e.getAttribute('aria-label') || e.textContent.trim() || e.closest('label')?.textContent))
+        .map((e) => e.outerHTML)"""
+    )
+    assert nameless == []
+    seen = set()
+    for _ in range(40):
+        page.keyboard.press("Tab")
+        style = page.evaluate(
+            """() => { const e = document.querySelector('[data-quintrig]').shadowRoot.activeElement;
+            if (!e) return null;
+            const s = getComputedStyle(e);
+            return [e.getAttribute('aria-label') || e.textContent, s.outlineStyle, e.type, s.borderColor]; }"""
+        )
+        if style is None:
+            continue
+        seen.add(style[0])
+        assert style[1] != "none" or style[2] == "range" or "name" in style[0].lower(), style
+    assert len(seen) > 20
+
+
+def test_the_browsers_numbers_are_pythons(context, served):
+    page = opened(context, served.site.address)
+    script = """async (jobs) => {
+      const studio = await import('/studio.js');
+      const numbers = (array) => Array.from(array, (x) => (Number.isFinite(x) ? x : String(x)));
+      return jobs.map(({ model, u, v }) => {
+        const sample = studio.analyse(studio.build(studio.fromDict(model).patches[0]), u, v, true);
+        return Object.fromEntries(Object.entries(sample).map(([key, a]) => [key, numbers(a)]));
+      });
+    }"""
+    for job, found in zip(JOBS, page.evaluate(script, JOBS), strict=True):
+        surface = quintrig.Model.from_dict(job["model"]).surface
+        compare(quintrig.analyse(surface, np.array(job["u"]), np.array(job["v"])), found)
+
+
+def test_a_report_page_works_from_disk_without_network(context, tmp_path):
+    page_file = tmp_path / "report.html"
+    model = quintrig.load(MODEL)
+    page_file.write_text(
+        '<!doctype html><html><head><meta charset="utf-8">'
+        f'<meta http-equiv="Content-Security-Policy" content="{policy()}">'
+        f"<style>.quintrig-viewer {{ height: 600px }} h1 {{ color: red }}</style></head><body><h1>Report</h1>"
+        f"{embed(model, 'mean')}</body></html>"
+    )
+    context.set_offline(True)
+    problems, asked = [], []
+    context.on("request", lambda request: asked.append(request.url))
+    page = opened(context, page_file.as_uri(), problems)
+    kept(page, "report")
+    assert problems == []
+    assert asked == [page_file.as_uri()]
+    assert state(page, "settings.quantity") == "mean"
+    page.get_by_label("alpha 1, number").fill("-2")
+    page.keyboard.press("Enter")
+    assert shape_of(page)[0] == -2
+    page.get_by_role("button", name="Save the model").click()
+    with page.expect_download() as waiting:
+        page.get_by_role("menuitem", name="Download TOML").click()
+    target = tmp_path / "saved.toml"
+    waiting.value.save_as(target)
+    assert quintrig.load(target).patches[0].shape == (-2, 1, 0, 0)
+    assert quintrig.load(target).unit == "mm"
+
+
+def test_without_webgl_there_are_still_pictures(browser, served):
+    with browser.browser_type.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--disable-3d-apis"]) as chromium:
+        page = opened(chromium.new_context(viewport={"width": 1280, "height": 720}), served.site.address)
+        page.get_by_text("has no WebGL").wait_for()
+        kept(page, "no-webgl")
+        page.get_by_label("alpha 1, number").fill("-2")
+        page.keyboard.press("Enter")
+        assert shape_of(page)[0] == -2
+        coloured = page.evaluate(
+            """() => { const c = document.querySelector('[data-quintrig]').studio.stage.canvas;
+            const d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;
+            let n = 0; for (let i = 3; i < d.length; i += 4) n += d[i] > 0; return n / (c.width * c.height); }"""
+        )
+        assert coloured > 0.1
+
+
+def test_a_notebook_and_its_kernel_follow_each_other(context, served, tmp_path):
+    page = opened(context, served.site.address)
+    model = quintrig.load(MODEL).to_dict()
+    script = """async (model) => {
+      const { default: widget } = await import('/studio.js');
+      const listeners = {}; const values = { model, quantity: 'mean', height: 400 };
+      window.saves = 0;
+      window.kernel = {
+        get: (k) => values[k], set: (k, v) => { values[k] = v; }, save_changes: () => { window.saves += 1; },
+        on: (e, act) => { listeners[e] = act; }, off: () => {},
+        push: (m) => { values.model = m; listeners['change:model'](); },
+      };
+      const el = document.createElement('div'); el.id = 'cell'; document.body.append(el);
+      window.cleanup = widget.render({ model: window.kernel, el });
+    }"""
+    page.evaluate(script, model)
+    page.evaluate(
+        """() => { const s = document.getElementById('cell').studio.store;
+        const p = s.state.model.patches[0]; s.editPatch({ ...p, shape: [0.5, 1, 0, 0] }); }"""
+    )
+    until(page, "window.saves === 1")
+    assert page.evaluate("window.kernel.get('model').shape") == [0.5, 1, 0, 0]
+    page.evaluate("(model) => window.kernel.push(model)", {**model, "shape": [-2, -2, -2, -2]})
+    assert page.evaluate("document.getElementById('cell').studio.store.state.model.patches[0].shape") == [-2] * 4
+    page.wait_for_timeout(200)
+    assert page.evaluate("window.saves") == 1  # what the kernel said is not said back to it
+    page.evaluate("window.cleanup()")
+
+
+def test_the_numbers_come_back_the_same_through_saved_files(context, served):
+    page = opened(context, served.site.address)
+    for path in sorted(MODEL.parent.glob("*.toml")):
+        model = quintrig.load(path).to_dict()
+        text = page.evaluate(
+            "async (m) => { const s = await import('/studio.js'); return JSON.stringify(s.toDict(s.fromDict(m))); }",
+            model,
+        )
+        assert quintrig.Model.from_dict(json.loads(text)).to_dict() == model
