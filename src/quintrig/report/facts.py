@@ -1,0 +1,98 @@
+"""Everything that the page tells of one patch, computed once."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from quintrig.agreement import Agreement, compare_methods
+from quintrig.classify import Thresholds
+from quintrig.compare import Variant, standard_shapes, variant, with_shapes
+from quintrig.errors import ModelError
+from quintrig.figure import Mark
+from quintrig.model import Patch
+from quintrig.quantity import BY_KEY
+from quintrig.sample import analyse
+from quintrig.summary import Summary, summarise
+from quintrig.table import Table, tabulate
+
+Report = Callable[[str], None]
+"""Called with what is being computed."""
+
+MARKS: tuple[tuple[Mark, str], ...] = tuple(
+    (Mark(u, v, label), place)
+    for label, u, v, place in (
+        ("A", 0.0, 0.0, "corner"),
+        ("B", 0.0, 0.5, "middle of the edge u = 0"),
+        ("C", 0.0, 1.0, "corner"),
+        ("D", 0.5, 0.0, "middle of the edge v = 0"),
+        ("E", 0.5, 0.5, "centre"),
+        ("F", 0.5, 1.0, "middle of the edge v = 1"),
+        ("G", 1.0, 0.0, "corner"),
+        ("H", 1.0, 0.5, "middle of the edge u = 1"),
+        ("I", 1.0, 1.0, "corner"),
+    )
+)
+"""The labelled points and what they are."""
+
+
+@dataclass(frozen=True, eq=False)
+class Facts:
+    """What is known of a patch.
+
+    ``variants`` are its own and the thesis's sets of shape parameters, empty where none act; ``middle`` is the normal
+    at u = v = 1/2, NaN where that point is singular.
+    """
+
+    patch: Patch
+    unit: str
+    thresholds: Thresholds
+    summary: Summary
+    agreement: Agreement
+    points: Table
+    variants: tuple[Variant, ...]
+    middle: tuple[float, float, float]
+
+
+def steps(patch: Patch, detailed: bool) -> int:
+    """Return how many steps ``gather`` reports."""
+    return 2 + (len(_others(patch)) if detailed else 0)
+
+
+def gather(patch: Patch, unit: str, thresholds: Thresholds, grid: int, detailed: bool, report: Report) -> Facts:
+    """Compute everything about a patch on grid x grid points; the effect of the shape parameters where ``detailed``."""
+    surface = patch.surface
+    report("integrals and extremes")
+    summary = summarise(surface, unit, thresholds, grid)
+    report("comparison of the methods")
+    agreement = compare_methods(surface, grid, grid, thresholds)
+    u, v = np.array([(mark.u, mark.v) for mark, _ in MARKS]).T
+    points = tabulate(surface, u, v, tuple(BY_KEY), unit=unit, thresholds=thresholds)
+    variants: list[Variant] = []
+    others = _others(patch) if detailed else ()
+    for other in others:
+        report(f"shape parameters ({', '.join(f'{x:g}' for x in other.shape)})")
+        variants.append(variant(other, unit))
+    if variants and patch.shape not in [one.shape for one in variants]:
+        variants.insert(0, Variant(patch.shape, patch, summary))
+    middle = analyse(surface, 0.5, 0.5, ("normal",)).normal
+    x, y, z = (float(part) for part in middle)
+    return Facts(patch, unit, thresholds, summary, agreement, points, tuple(variants), (x, y, z))
+
+
+def has_effect(patch: Patch) -> bool:
+    """Tell whether shape parameters act on a patch."""
+    return bool(_others(patch))
+
+
+def standard(facts: Facts) -> tuple[Variant, ...]:
+    """Return the variants with the thesis's sets of shape parameters alone."""
+    shapes = standard_shapes(facts.patch) if facts.variants else ()
+    return tuple(one for one in facts.variants if one.shape in shapes)
+
+
+def _others(patch: Patch) -> tuple[Patch, ...]:
+    try:
+        return with_shapes(patch, standard_shapes(patch))
+    except ModelError:  # a kind on which shape parameters do not act
+        return ()

@@ -1,0 +1,124 @@
+"""What matters most about a patch, in a few plain sentences made from its numbers."""
+
+from collections.abc import Iterator
+
+from markupsafe import Markup
+
+from quintrig.compare import Variant
+from quintrig.extremes import Extreme
+from quintrig.quantity import BY_KEY
+from quintrig.report.facts import Facts, standard
+from quintrig.report.wording import listed, measure, number, pair, percent, prose
+from quintrig.summary import Summary
+
+_FORMS = (
+    ("dome- or bowl-shaped", ("elliptic", "umbilic")),
+    ("saddle-shaped", ("hyperbolic",)),
+    ("bent in one direction only", ("parabolic",)),
+    ("flat", ("planar",)),
+)
+_SIDES = (
+    ("bulges out", ("peak", "ridge", "saddle ridge")),
+    ("is hollow", ("pit", "valley", "saddle valley")),
+    ("bends equally both ways", ("minimal",)),
+)
+_ALL = 1.0 - 1e-9
+
+
+def findings(facts: Facts) -> tuple[Markup, ...]:
+    """Return the key findings, one or two sentences each."""
+    if facts.summary.singular.count == facts.summary.singular.samples:
+        return (Markup("The surface has no tangent plane anywhere, so nothing can be said of its curvature."),)
+    told = [*_shape(facts.summary), *_bend(facts.summary), *_range(facts.summary), *_methods(facts), *_effect(facts)]
+    return tuple(told)
+
+
+def total(summary: Summary, key: str, names: tuple[str, ...]) -> float:
+    """Return the share of the area of several classes together, 0 to 1."""
+    return sum(part.share for part in summary.shares[key] if part.name in names)
+
+
+def _shape(summary: Summary) -> Iterator[Markup]:
+    forms = _parts(summary, "point_type", _FORMS)
+    if len(forms) == 1:
+        sentence = f"The surface is {forms[0][0]} everywhere"
+    else:
+        spelt = [f"{name} over {percent(share)}" for name, share in forms]
+        sentence = f"The surface is {listed([spelt[0] + ' of its area', *spelt[1:]])}"
+    if not total(summary, "point_type", ("elliptic", "umbilic", "hyperbolic")):
+        flat = total(summary, "point_type", ("planar",)) >= _ALL
+        sentence += "" if flat else ": K = 0, so it unrolls into a plane without stretching"
+    yield prose(sentence + ".")
+    sides = _parts(summary, "hk_type", _SIDES)
+    if sides:
+        spelt = [name if len(sides) == 1 else f"{name} over {percent(share)}" for name, share in sides]
+        yield prose(f"Seen from the side that the normal points to, it {listed(spelt)}.")
+
+
+def _parts(summary: Summary, key: str, groups: tuple[tuple[str, tuple[str, ...]], ...]) -> list[tuple[str, float]]:
+    """Return the groups of classes that occur, largest first; traces below a thousandth are left out."""
+    found = [(name, total(summary, key, names)) for name, names in groups]
+    shown = [(name, share) for name, share in found if share >= 1e-3]
+    return sorted(shown, key=lambda part: -part[1])
+
+
+def tightest(summary: Summary) -> Extreme:
+    """Return the principal curvature that is largest in size, with where."""
+    ends = (summary.extremes["k1"].maximum, summary.extremes["k2"].minimum)
+    return max(ends, key=lambda end: (end.status == "unbounded", abs(end.value)))
+
+
+def _bend(summary: Summary) -> Iterator[Markup]:
+    end = tightest(summary)
+    if end.status == "undefined" or abs(end.value) * summary.size <= 1e-9:
+        return
+    place = Markup("(<i>u</i>, <i>v</i>) = ") + pair(end.u, end.v)
+    if end.status == "unbounded":
+        yield Markup("Its curvature grows without bound near {}.").format(place)
+        return
+    side = "towards the normal" if end.value > 0 else "away from the normal"
+    others = "" if end.unique else ", among other places"
+    yield Markup("The tightest bend has a radius of {}, at {}{}; there the surface curves {}.").format(
+        measure(1.0 / abs(end.value), summary.unit, 3), place, others, side
+    )
+
+
+def _range(summary: Summary) -> Iterator[Markup]:
+    found = summary.extremes["gaussian"]
+    ends = (found.minimum, found.maximum)
+    area = summary.integrals.area
+    if any(end.status in ("undefined", "unbounded") for end in ends) or not area.converged:
+        return
+    unit = BY_KEY["gaussian"].unit(summary.unit)
+    measured = measure(area.value, f"{summary.unit}²" if summary.unit else "", 4)
+    if found.minimum.value == found.maximum.value:
+        spread = Markup("is {} everywhere").format(measure(found.minimum.value, unit, 3))
+    else:
+        spread = Markup("runs from {} to {}").format(
+            number(found.minimum.value, 3), measure(found.maximum.value, unit, 3)
+        )
+    yield Markup("Its area is {}; the Gaussian curvature {}.").format(measured, spread)
+
+
+def _methods(facts: Facts) -> Iterator[Markup]:
+    found = facts.agreement
+    conflict = found.share("conflict")
+    words = f"HK types, shape classes and invariants say the same on {percent(found.share('agree'))} of the area"
+    words += f" and contradict each other on {percent(conflict)}" if conflict else " and nowhere contradict each other"
+    yield prose(words + ".")
+
+
+def _effect(facts: Facts) -> Iterator[Markup]:
+    bounded = [one for one in standard(facts) if one.summary.integrals.bending.converged]
+    if len(bounded) < 2:
+        return
+
+    def bending(one: Variant) -> float:
+        return one.summary.integrals.bending.value
+
+    least, most = min(bounded, key=bending), max(bounded, key=bending)
+    if not bending(most) > 1.001 * bending(least):
+        return
+    yield Markup(
+        "Of the thesis’s sets of shape parameters, {} bends it least and {} most: the bending energy is {} against {}."
+    ).format(prose(least.label), prose(most.label), number(bending(least), 3), number(bending(most), 3))

@@ -1,0 +1,190 @@
+"""The pictures of a patch: what is drawn, and what is said of each to those who do not see it."""
+
+import base64
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import partial
+
+from matplotlib.figure import Figure
+
+from quintrig.agreement import REASONS
+from quintrig.figure import (
+    Mark,
+    Scene,
+    code_map,
+    comparison,
+    flat_map,
+    map_comparison,
+    projections,
+    space_picture,
+    to_png_bytes,
+)
+from quintrig.model import Model, Patch
+from quintrig.quantity import BY_KEY
+from quintrig.report.facts import MARKS, Facts, has_effect, standard
+from quintrig.report.wording import percent
+from quintrig.table import INVARIANTS
+
+_DPI = 144
+_WIDE, _HALF, _THIRD = 9.0, 4.6, 3.9  # inches
+
+REASON_COLOURS = (
+    "#7d7d7d",
+    "#dfece4",
+    "#f2f0ea",
+    "#f3cf73",
+    "#e69f00",
+    "#b5760a",
+    "#8a5a12",
+    "#c2407a",
+    "#5b1646",
+    "#a8a8a8",
+)
+"""Colours of ``agreement.REASONS``: quiet where the methods agree, amber for neighbours, magenta for contradictions."""
+
+SHOWN: tuple[tuple[str, str], ...] = (
+    ("gaussian", "Red: dome or bowl (K > 0). Blue: saddle (K < 0). On the line between them K = 0."),
+    ("mean", "Red: bends towards the normal (hollow). Blue: bends away from it (bulging). On the dashed line H = 0."),
+    ("shape_index", "Which shape, whatever its strength: from cup (-1) over saddle (0) to cap (+1)."),
+    ("curvedness", "How strongly it bends, whatever its shape."),
+    ("hk_type", "The signs of K and H together, seen from the side that the normal points to."),
+    ("shape_class", "Nine ranges of the shape index."),
+)
+"""The quantities that are drawn in space and as a map, and how to read each."""
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A picture to be drawn: ``name`` for the template, what it shows in words, and the function that draws it."""
+
+    name: str
+    alt: str
+    draw: Callable[[], Figure]
+
+
+@dataclass(frozen=True)
+class Image:
+    """A drawn picture, inlined: data URI, alternative text, size in CSS pixels."""
+
+    source: str
+    alt: str
+    width: int
+    height: int
+
+
+def render(picture: Picture) -> Image:
+    """Draw a picture into the page."""
+    figure = picture.draw()
+    width, height = (float(x) for x in figure.get_size_inches())
+    data = base64.b64encode(to_png_bytes(figure, _DPI)).decode("ascii")
+    return Image(f"data:image/png;base64,{data}", picture.alt, round(96 * width), round(96 * height))
+
+
+def overview(model: Model) -> Iterator[Picture]:
+    """Return the pictures of a model with several patches: all together, plain and by K and H on one scale."""
+    surfaces = [patch.surface for patch in model.patches]
+    draw = partial(space_picture, unit=model.unit, width=_HALF)
+    yield Picture("all", "All patches together.", partial(draw, surfaces, None, Scene(isolines=3)))
+    for key in ("gaussian", "mean"):
+        yield Picture(f"all-{key}", f"All patches, coloured by {BY_KEY[key].name}.", partial(draw, surfaces, key))
+
+
+def pictures(facts: Facts, detailed: bool) -> tuple[Picture, ...]:
+    """Return the pictures of a patch; only the surface, K, H and the agreement where not ``detailed``."""
+    shown = SHOWN if detailed else SHOWN[:2]
+    found = [_lead(facts), *_fields(facts, [key for key, _ in shown]), _agreement(facts)]
+    if detailed:
+        found += [_projections(facts), *_invariants(facts), *_effect(facts)]
+    return tuple(found)
+
+
+def picture_count(patch: Patch, detailed: bool) -> int:
+    """Return how many pictures ``pictures`` will return for a patch."""
+    if not detailed:
+        return 6
+    return 3 + 2 * len(SHOWN) + len(INVARIANTS) + (4 if has_effect(patch) else 0)
+
+
+def _lead(facts: Facts) -> Picture:
+    surface = facts.patch.surface
+    net = surface.net is not None
+    marks = tuple(mark for mark, _ in MARKS)
+    scene = Scene(net=net, isolines=7, marks=marks, normal=True)
+    low, high = facts.summary.box
+    spans = " by ".join(f"{b - a:.3g}" for a, b in zip(low, high, strict=True))
+    inside = ", inside its control net" if net else ""
+    alt = (
+        f"The surface in space with the labelled points A to I and its normal{inside}; "
+        f"it measures {spans} {facts.unit} along x, y and z."
+    )
+    return Picture("lead", alt, partial(space_picture, surface, None, scene, unit=facts.unit, width=6.4))
+
+
+def _fields(facts: Facts, keys: Sequence[str]) -> Iterator[Picture]:
+    surface, limits = facts.patch.surface, facts.thresholds
+    marks = [mark for mark, _ in MARKS]
+    for key in keys:
+        name, told = BY_KEY[key].name, _told(facts, key)
+        space = partial(space_picture, surface, key, unit=facts.unit, thresholds=limits, width=_HALF)
+        plane = partial(flat_map, surface, key, marks=marks, unit=facts.unit, thresholds=limits, width=_HALF)
+        yield Picture(f"{key}-space", f"The surface in space, coloured by {name}. {told}".strip(), space)
+        yield Picture(f"{key}-map", f"Map of {name} over u and v. {told}".strip(), plane)
+
+
+def _told(facts: Facts, key: str) -> str:
+    """Say in words what a picture shows: the range of a number, the shares of classes."""
+    if key in facts.summary.shares:
+        parts = facts.summary.shares[key][:6]
+        return ", ".join(f"{part.name} {percent(part.share)}" for part in parts) + "."
+    found = facts.summary.extremes[key]
+    unit = BY_KEY[key].unit(facts.unit)
+    if found.minimum.status != "attained" or found.maximum.status != "attained":
+        return ""
+    least, most = (f"{end.value:.3g} {unit}".strip() for end in (found.minimum, found.maximum))
+    where = f"(u, v) = ({found.maximum.u:.3g}, {found.maximum.v:.3g})"
+    return f"From {least} to {most}, which is taken at {where}."
+
+
+def _projections(facts: Facts) -> Picture:
+    alt = "Side, back and top views of the surface at one scale."
+    return Picture("projections", alt, partial(projections, facts.patch.surface, unit=facts.unit, width=_WIDE))
+
+
+def _invariants(facts: Facts) -> Iterator[Picture]:
+    surface = facts.patch.surface
+    for key in INVARIANTS:
+        q = BY_KEY[key]
+        alt = f"Map over u and v of the invariant {q.symbol}, {q.name}."
+        draw = partial(flat_map, surface, key, unit=facts.unit, thresholds=facts.thresholds, width=_THIRD)
+        yield Picture(f"{key}-map", alt, draw)
+
+
+def _agreement(facts: Facts) -> Picture:
+    found = facts.agreement
+    agree, conflict = percent(found.share("agree")), percent(found.share("conflict"))
+    alt = (
+        f"Map over u and v of where the methods agree ({agree} of the area), differ, and contradict each other "
+        f"({conflict})."
+    )
+    names = [reason.name for reason in REASONS]
+    return Picture(
+        "agreement", alt, partial(code_map, found.reason, names, REASON_COLOURS, marks=_plain_marks(), width=_HALF)
+    )
+
+
+def _plain_marks() -> tuple[Mark, ...]:
+    return tuple(mark for mark, _ in MARKS)
+
+
+def _effect(facts: Facts) -> Iterator[Picture]:
+    found = standard(facts)
+    if not found:
+        return
+    surfaces, labels = [one.patch.surface for one in found], [one.label for one in found]
+    for key in ("gaussian", "mean"):
+        name = BY_KEY[key].name
+        space = partial(comparison, surfaces, labels, key, unit=facts.unit, columns=2, width=7.6)
+        plane = partial(map_comparison, surfaces, labels, key, unit=facts.unit, columns=2, width=6.0)
+        sets = ", ".join(labels)
+        yield Picture(f"effect-{key}", f"{name} with the shape parameters {sets}, on one scale.", space)
+        yield Picture(f"effect-{key}-map", f"Maps of {name} with the shape parameters {sets}, on one scale.", plane)

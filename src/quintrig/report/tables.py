@@ -1,0 +1,268 @@
+"""Tables of the page: heads with symbols and units, columns of numbers whose decimal points align."""
+
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+
+from markupsafe import Markup, escape
+
+from quintrig.agreement import REASONS, Agreement, CrossTable
+from quintrig.compare import Variant, intensities
+from quintrig.correspondence import LEVELS, UNDEFINED
+from quintrig.extremes import Extreme
+from quintrig.integrate import INTEGRALS
+from quintrig.quantity import BY_KEY, CLASSES, QUANTITIES, quantity
+from quintrig.report.facts import Facts
+from quintrig.report.kinds import Net, kind_of
+from quintrig.report.mathml import mathml
+from quintrig.report.wording import aligned, measure, number, pair, percent, prose, ten
+from quintrig.summary import Summary
+from quintrig.table import INVARIANTS, Column, Table
+
+LEVEL_MARKS = ("", "✓", "≈", "✗")
+"""A sign for each level of agreement, so that it does not rest on colour alone."""
+
+
+@dataclass(frozen=True)
+class Grid:
+    """A table as the page shows it: ``heads``, and ``rows`` of cells, of which ``words`` are text, not numbers."""
+
+    caption: str
+    heads: tuple[Markup, ...]
+    rows: tuple[tuple[Markup, ...], ...]
+    words: tuple[bool, ...]
+    notes: tuple[Markup, ...] = ()
+
+
+CURVATURES = tuple(q.key for q in QUANTITIES if q.key in ("gaussian", "mean", "k1", "k2", "shape_index", "curvedness"))
+FORMS = ("E", "F", "G", "L", "M", "N", "direction1", "direction2")
+POINT_TABLES: tuple[tuple[str, tuple[str, ...]], ...] = (
+    ("Place and normal", ("normal",)),
+    ("Curvature", CURVATURES),
+    ("Types", CLASSES),
+    ("The six invariants, in the metric of the horizontal plane", INVARIANTS),
+    ("The six invariants, in the metric of the surface", tuple(f"{key}_surface" for key in INVARIANTS)),
+    ("Fundamental forms and principal directions", FORMS),
+)
+"""The tables of labelled points: title and keys; together they hold every quantity."""
+
+
+def point_tables(table: Table, labels: Sequence[str]) -> tuple[Grid, ...]:
+    """Split a table of every quantity at labelled points into parts that can be read."""
+    by_key = {column.key: column for column in table.columns}
+    grids: list[Grid] = []
+    for index, (title, keys) in enumerate(POINT_TABLES):
+        names = ["x", "y", "z"] if index == 0 else []
+        for key in keys:
+            names += [f"{key}_{axis}" for axis in "xyz"] if BY_KEY[key].components == 3 else [key]
+        columns = [by_key[name] if name in by_key else by_key["point"] for name in names]
+        grids.append(from_columns(title, columns, [("point", [Markup("<b>{}</b>").format(x) for x in labels])], table))
+    return tuple(grids)
+
+
+def from_columns(
+    caption: str, columns: Sequence[Column], lead: Sequence[tuple[str, Sequence[Markup]]], table: Table
+) -> Grid:
+    """Return columns as a grid, after leading columns of words; u and v of the table follow the label."""
+    parameters = list(table.columns[: table.lead]) if table.lead == 2 else []
+    heads = [prose(title) for title, _ in lead]
+    cells: list[Sequence[Markup]] = [values for _, values in lead]
+    words = [True] * len(lead)
+    for column in (*parameters, *columns):
+        if column.is_text:
+            heads.append(prose(column.name))
+            cells.append([escape(str(value)) for value in column.rounded])
+        else:
+            power, texts = aligned([float(value) for value in column.rounded])
+            heads.append(head(prose(column.symbol), column.unit, power))
+            cells.append([escape(text) for text in texts])
+        words.append(column.is_text)
+    return Grid(caption, tuple(heads), tuple(zip(*cells, strict=True)), tuple(words))
+
+
+def head(symbol: Markup, unit: str, power: int = 0) -> Markup:
+    """Return the head of a column: symbol over power of ten and unit."""
+    inside = [ten(power)] if power else []
+    inside += [escape(unit)] if unit else []
+    if not inside:
+        return symbol
+    return symbol + Markup('<span class="unit">{}</span>').format(Markup("\u202f").join(inside))
+
+
+def extremes_table(summary: Summary) -> Grid:
+    """Return least and greatest value, each with where it is taken, and the mean of every quantity of a summary."""
+    rows: list[tuple[Markup, ...]] = []
+    for key, found in summary.extremes.items():
+        q = BY_KEY[key]
+        unit = q.unit(summary.unit)
+        natural = summary.extremes["curvedness"].mean.value ** max(-q.power, 0)
+        mean = found.mean
+        noise = 1e-12 * natural if math.isfinite(natural) else 0.0  # NaN where nothing is defined
+        value = 0.0 if abs(mean.value) <= noise else mean.value
+        average = Markup("∞") if mean.status == "grows without bound" else measure(value, unit, 5)
+        rows.append(
+            (
+                prose(f"{q.name} {q.symbol}"),
+                *_extreme(found.minimum, unit, "−"),
+                *_extreme(found.maximum, unit, ""),
+                average,
+            )
+        )
+    heads = tuple(
+        Markup(text)
+        for text in (
+            "quantity",
+            "least",
+            "at (<i>u</i>, <i>v</i>)",
+            "greatest",
+            "at (<i>u</i>, <i>v</i>)",
+            "mean over the area",
+        )
+    )
+    remarks = [
+        Markup("{}, {}: {}.").format(
+            prose(f"{quantity(key).name} {quantity(key).symbol}"), end, prose(extreme.describe())
+        )
+        for key, found in summary.extremes.items()
+        for end, extreme in (("least", found.minimum), ("greatest", found.maximum))
+        if extreme.describe()
+    ]
+    return Grid("Extremes and means", heads, tuple(rows), (True, False, True, False, True, False), tuple(remarks))
+
+
+def _extreme(found: Extreme, unit: str, sign: str) -> tuple[Markup, Markup]:
+    if found.status == "undefined":
+        return number(float("nan")), Markup("")
+    if found.status == "unbounded":
+        return Markup(f"{sign}∞"), Markup("near {}").format(pair(found.u, found.v))
+    star = Markup("") if found.unique else Markup("<span title='taken at several places'>…</span>")
+    return measure(found.value, unit, 5), pair(found.u, found.v) + star
+
+
+def integrals_table(summary: Summary) -> Grid:
+    """Return the integrals with their measured errors."""
+    rows: list[tuple[Markup, ...]] = []
+    for q in INTEGRALS:
+        found = summary.integrals[q.key]
+        unit = q.unit(summary.unit)
+        grows = found.status == "grows without bound"
+        value = Markup("∞") if grows else measure(0.0 if abs(found.value) <= found.error else found.value, unit, 8)
+        error = escape(found.status) if not found.converged else Markup("± ") + number(found.error, 1)
+        rows.append((prose(q.name), mathml(q.latex), value, error, prose(q.meaning)))
+    heads = tuple(Markup(text) for text in ("integral", "definition", "value", "error", "what it says"))
+    return Grid(
+        "Integrals", heads, tuple(rows), (True, True, False, False, True), tuple(map(prose, summary.integrals.notes))
+    )
+
+
+def shares_table(summary: Summary) -> Grid:
+    """Return how much of the area is of each class, for every classification."""
+    rows = tuple(
+        (prose(BY_KEY[key].name if i == 0 else ""), escape(part.name), Markup(percent(part.share)))
+        for key, parts in summary.shares.items()
+        for i, part in enumerate(parts)
+    )
+    heads = (Markup("classification"), Markup("class"), Markup("share of the area"))
+    return Grid("Classes", heads, rows, (True, True, False))
+
+
+def intensity_table(variants: Sequence[Variant]) -> Grid:
+    """Return the intensities of several sets of shape parameters."""
+    table = intensities(variants)
+    first, *rest = table.columns
+    grid = from_columns(
+        "Intensities", rest, [("shape parameters", [prose(str(label)) for label in first.values])], table
+    )
+    return Grid(grid.caption, grid.heads, grid.rows, grid.words, tuple(prose(note) for note in table.notes))
+
+
+@dataclass(frozen=True)
+class Cell:
+    """A cell of a cross table: its text, and the name of its level of agreement, empty where no point falls in it."""
+
+    text: str
+    level: str
+
+
+@dataclass(frozen=True)
+class Cross:
+    """A cross table of two classifications, limited to the classes that occur."""
+
+    rows: str
+    columns: str
+    heads: tuple[str, ...]
+    lines: tuple[tuple[str, tuple[Cell, ...]], ...]
+    verdict: str
+
+
+def cross_tables(agreement: Agreement) -> tuple[Cross, ...]:
+    """Return the three cross tables."""
+    return tuple(_cross(table) for table in agreement.tables)
+
+
+def _cross(table: CrossTable) -> Cross:
+    rows = [i for i in range(len(table.row_names)) if table.counts[i].any()]
+    columns = [j for j in range(len(table.column_names)) if table.counts[:, j].any()]
+    lines = tuple((table.row_names[i], tuple(_cell(table, i, j) for j in columns)) for i in rows)
+    above = "" if (table.rows, table.columns) == ("hk_type", "shape_class") else ", seen from above"
+    verdict = ", ".join(
+        f"{words} on {percent(table.share(level))}"
+        for words, level in (("they agree", 1), ("neighbouring", 2), ("in conflict", 3))
+        if not math.isnan(table.share(level))
+    )
+    heads = tuple(table.column_names[j] for j in columns)
+    return Cross(BY_KEY[table.rows].name + above, BY_KEY[table.columns].name, heads, lines, verdict)
+
+
+def _cell(table: CrossTable, i: int, j: int) -> Cell:
+    count = int(table.counts[i, j])
+    if not count:
+        return Cell("", "")
+    level = int(table.levels[i, j])
+    share = percent(float(table.shares[i, j]))
+    return Cell(f"{share} {LEVEL_MARKS[level]}".strip(), LEVELS[level] if level != UNDEFINED else "undefined")
+
+
+def reasons(agreement: Agreement) -> Iterable[tuple[str, str, str, Markup]]:
+    """Return name, level, share and explanation of every reason that occurs."""
+    for reason, share, count in zip(REASONS, agreement.shares(), agreement.counts(), strict=True):
+        if count:
+            yield reason.name, LEVELS[reason.level], percent(share), prose(reason.text)
+
+
+def plain(net: Net) -> Iterator[tuple[str, tuple[str, ...]]]:
+    """Return the rows of a net with the decimal points of every column aligned, all digits kept."""
+    columns = [aligned(values, 12)[1] if small else [f"{x:.12g}" for x in values] for values, small in _columns(net)]
+    for (label, _), cells in zip(net.rows, zip(*columns, strict=True), strict=True):
+        yield label, cells
+
+
+def _columns(net: Net) -> Iterator[tuple[tuple[float, ...], bool]]:
+    for values in zip(*(point for _, point in net.rows), strict=True):
+        largest = max(abs(x) for x in values)
+        yield values, largest == 0.0 or 0.01 <= largest < 1e5  # beyond, a power of ten would leave the column's head
+
+
+def patches_table(every: Sequence[Facts]) -> Grid:
+    """Return one row for each patch of a model with several."""
+    rows: list[tuple[Markup, ...]] = []
+    for one in every:
+        summary = one.summary
+        common = summary.shares["hk_type"][0]
+        gaussian, bend = summary.extremes["gaussian"], summary.integrals.bending
+        unit = BY_KEY["gaussian"].unit(one.unit)
+        rows.append(
+            (
+                escape(one.patch.name),
+                escape(kind_of(one.patch).title),
+                measure(summary.integrals.area.value, f"{one.unit}²" if one.unit else ""),
+                _extreme(gaussian.minimum, unit, "−")[0],
+                _extreme(gaussian.maximum, unit, "")[0],
+                Markup("∞") if bend.status == "grows without bound" else number(bend.value),
+                escape(f"{common.name}, {percent(common.share)}"),
+                escape(str(len(summary.warnings) or "none")),
+            )
+        )
+    names = ("patch", "kind", "area", "least K", "greatest K", "bending energy", "most common HK type", "warnings")
+    words = (True, True, False, False, False, False, True, False)
+    return Grid("Patches", tuple(prose(name) for name in names), tuple(rows), words)

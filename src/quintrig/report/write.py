@@ -1,0 +1,172 @@
+"""The report on a model, written as one HTML file."""
+
+import os
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import count
+from pathlib import Path
+from typing import Any
+
+from jinja2 import Environment, PackageLoader, StrictUndefined
+
+from quintrig import __version__
+from quintrig.classify import Thresholds
+from quintrig.errors import QuintrigError
+from quintrig.exchange.toml import to_toml
+from quintrig.files import write_whole
+from quintrig.model import Model
+from quintrig.quantity import QUANTITIES, quantity
+from quintrig.report import facts as known
+from quintrig.report import kinds, tables
+from quintrig.report.facts import MARKS, Facts
+from quintrig.report.findings import findings
+from quintrig.report.mathml import mathml
+from quintrig.report.pictures import SHOWN, Image, overview, picture_count, pictures, render
+from quintrig.report.wording import measure, number, percent, prose
+from quintrig.signs import SIGN_TABLES
+
+Progress = Callable[[str, int, int], None]
+"""Called with what is being done, steps done and steps in all."""
+
+DETAILED = 4
+"""Models with more patches than this are told in brief: fewer pictures of each."""
+
+_LONGEST = 60_000  # characters of the model's own text that the page holds
+
+
+@dataclass(frozen=True, eq=False)
+class Chapter:
+    """A patch on the page: its facts and its drawn pictures by name."""
+
+    facts: Facts
+    images: dict[str, Image]
+    anchor: str
+    detailed: bool
+
+
+def write_report(
+    model: Model,
+    out: Path,
+    *,
+    progress: Progress | None = None,
+    grid: int = 129,
+    thresholds: Thresholds | None = None,
+) -> Path:
+    """Write a self-contained page on a model and return its path.
+
+    That is ``out/index.html``, or ``out`` itself where it ends in .html.
+    ``grid`` points a side are classified, compared and searched for extremes. The page is written whole or not at all;
+    QuintrigError where it cannot be written, ValueError for fewer than 2 points.
+    """
+    target = _target(out)
+    thresholds = thresholds or Thresholds()
+    detailed = len(model.patches) <= DETAILED
+    several = len(model.patches) > 1
+    total = 1 + (3 if several else 0)
+    total += sum(known.steps(patch, detailed) + picture_count(patch, detailed) for patch in model.patches)
+    step = _steps(progress, total)
+    chapters: list[Chapter] = []
+    for index, patch in enumerate(model.patches):
+        name = f"{patch.name}: " if several else ""
+        found = known.gather(patch, model.unit, thresholds, grid, detailed, lambda what, name=name: step(name + what))
+        images: dict[str, Image] = {}
+        for picture in pictures(found, detailed):
+            step(f"{name}picture {picture.name}")
+            images[picture.name] = render(picture)
+        chapters.append(Chapter(found, images, f"patch-{index + 1}", detailed))
+    together: dict[str, Image] = {}
+    for picture in overview(model) if several else ():
+        step(f"picture {picture.name}")
+        together[picture.name] = render(picture)
+    step("writing the page")
+    return write_whole(target, _page(model, chapters, together, grid, thresholds))
+
+
+def _steps(progress: Progress | None, total: int) -> Callable[[str], None]:
+    """Return what counts the steps for ``progress``."""
+    done = count()
+    return lambda what: progress(what, next(done), total) if progress else None
+
+
+def _target(out: Path) -> Path:
+    """Return the file to write; QuintrigError where it is plain before all the work that it cannot be written."""
+    target = out if out.suffix.lower() in (".html", ".htm") else out / "index.html"
+    if target.is_dir():
+        raise QuintrigError(f"{target}: expected the name of a page to write, found a folder; choose another name")
+    parent = next(folder for folder in (target.absolute()).parents if folder.exists())
+    if not parent.is_dir():
+        raise QuintrigError(f"{target}: cannot be written ({parent} is a file, not a folder); choose another place")
+    if not os.access(parent, os.W_OK):
+        raise QuintrigError(f"{target}: cannot be written ({parent} is read-only); choose another place or free it")
+    return target
+
+
+def _page(model: Model, chapters: list[Chapter], together: dict[str, Image], grid: int, thresholds: Thresholds) -> str:
+    source = to_toml(model.to_dict())
+    return (
+        _environment()
+        .get_template("page.html.j2")
+        .render(
+            model=model,
+            chapters=chapters,
+            together=together,
+            grid=grid,
+            thresholds=thresholds,
+            version=__version__,
+            source=source if len(source) <= _LONGEST else "",
+            quantities=[q for q in QUANTITIES if q.key not in ("point", "normal")],
+            signs=SIGN_TABLES,
+            shown=SHOWN,
+            marks=MARKS,
+            basis=[mathml(latex) for latex in kinds.BASIS],
+        )
+    )
+
+
+def _environment() -> Environment:
+    """Return the templates; every value is escaped unless it was built as markup, since names come from files."""
+    environment = Environment(
+        loader=PackageLoader("quintrig.report"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    words: dict[str, Any] = {
+        "prose": prose,
+        "number": number,
+        "measure": measure,
+        "percent": percent,
+        "mathml": mathml,
+    }
+    environment.filters.update(words)
+    functions: dict[str, Any] = {
+        "kinds": kinds,
+        "tables": tables,
+        "findings": findings,
+        "quantity": quantity,
+        "sections": sections,
+        "facts_of": _facts_of,
+    }
+    environment.globals.update(functions)
+    return environment
+
+
+def sections(chapter: Chapter) -> tuple[tuple[str, str], ...]:
+    """Return anchor and title of every section of a patch, in order."""
+    every = (
+        ("short", "In short", True),
+        ("what", "What it is", True),
+        ("views", "Side, back and top", chapter.detailed),
+        ("curvature", "Curvature", True),
+        ("numbers", "Extremes, means, integrals", True),
+        ("points", "At labelled points", True),
+        ("invariants", "The six invariants", chapter.detailed),
+        ("methods", "Do the methods agree?", True),
+        ("effect", "Effect of the shape parameters", bool(chapter.facts.variants)),
+    )
+    return tuple((anchor, title) for anchor, title, there in every if there)
+
+
+def _facts_of(chapters: list[Chapter]) -> list[Facts]:
+    return [chapter.facts for chapter in chapters]
