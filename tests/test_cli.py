@@ -440,3 +440,26 @@ def test_a_terminal_without_greek_does_not_fail():
     result = python("-m", "quintrig", "table", str(BOOT), "-f", "csv", env=environment, encoding="utf-8")
     assert result.returncode == 0
     assert "S_u × S_v" in result.stdout
+
+
+# --- pages
+
+
+def test_report_says_where_the_page_is(tmp_path, monkeypatch):
+    def fake(model, out, *, progress):
+        progress("figures", 0, 1)
+        assert model.name == "Car boot lid"
+        return out / "index.html"
+
+    monkeypatch.setattr("quintrig.report.write_report", fake)
+    result = cli("report", BOOT, tmp_path)
+    assert (result.code, result.out) == (0, f"{tmp_path / 'index.html'}\n")
+    assert "[0/1] figures" in result.err
+    assert "open it in a browser" in result.err
+
+
+def test_reproduce_lists_the_inventory():
+    result = cli("reproduce", "--list")
+    assert (result.code, result.err) == (0, "")
+    for number in ("Figure 2.1", "Figure 4.42", "Table 3.4", "Table 4.8", "Table A1"):
+        assert number in result.out
