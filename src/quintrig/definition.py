@@ -170,7 +170,7 @@ Knots = Annotated[list[Number], Field(min_length=4, max_length=2048)]
 
 
 class Nurbs(Definition):
-    """NURBS surface, such as a face read from a CAD file."""
+    """Rational B-spline surface (NURBS), such as a face read from a CAD file."""
 
     kind: Literal["nurbs"] = "nurbs"
     degrees: Annotated[list[Degree], Field(min_length=2, max_length=2)] = Field(description="Degrees (p, q) in u and v")

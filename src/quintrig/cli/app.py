@@ -5,7 +5,22 @@ from typing import Annotated
 import typer
 
 from quintrig import __version__
-from quintrig.cli import check, compare, grid, new, plot, report, reproduce, schema, sweep, table, view
+from quintrig.cli import (
+    check,
+    compare,
+    export,
+    flatten,
+    grid,
+    import_,
+    new,
+    plot,
+    report,
+    reproduce,
+    schema,
+    sweep,
+    table,
+    view,
+)
 
 _HELP = """Quintic trigonometric Bézier surfaces: build them, read their curvature, decide.
 
@@ -36,7 +51,22 @@ def build() -> typer.Typer:
         context_settings={"help_option_names": ["-h", "--help"]},
     )
     app.callback(help=_HELP, epilog=_EPILOG)(_options)
-    for module in (new, check, table, grid, plot, report, compare, view, reproduce, sweep, schema):
+    for module in (
+        new,
+        check,
+        table,
+        grid,
+        plot,
+        report,
+        compare,
+        view,
+        export,
+        flatten,
+        import_,
+        reproduce,
+        sweep,
+        schema,
+    ):
         module.register(app)
     return app
 

@@ -19,7 +19,7 @@ def register(app: typer.Typer) -> None:
 
 
 def grid(
-    model: Annotated[Path, typer.Argument(metavar="MODEL", help="Model file, .toml or .json.", show_default=False)],
+    model: Annotated[Path, typer.Argument(metavar="MODEL", help="Model file, or a CAD file.", show_default=False)],
     output: Annotated[
         Path, typer.Argument(metavar="OUT", help="A name ending in .zarr or .parquet.", show_default=False)
     ],
@@ -28,6 +28,7 @@ def grid(
         str, typer.Option("-q", "--quantities", metavar="KEYS", help="Such as gaussian,mean,hk_type.")
     ] = "gaussian,mean",
     patch: Annotated[str | None, typer.Option(metavar="NAME", help="Which surface of a model with several.")] = None,
+    face: Annotated[int | None, typer.Option(metavar="N", help="Which face of a CAD file.")] = None,
 ) -> None:
     """Compute quantities on a grid of any size, in constant memory.
 
@@ -38,7 +39,7 @@ def grid(
     if output.suffix not in (".zarr", ".parquet"):
         raise QuintrigError(f"{output}: expected a name ending in .zarr or .parquet")
     nu, nv = session.counts(size, "--size")
-    loaded = session.load(model)
+    loaded = session.load(model, face)
     surface = loaded.patch(patch).surface
     keys = [word.strip() for word in quantities.split(",")]
     from quintrig.stream import write_parquet, write_zarr

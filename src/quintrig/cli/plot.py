@@ -31,7 +31,7 @@ def register(app: typer.Typer) -> None:
 
 
 def plot(
-    model: Annotated[Path, typer.Argument(metavar="MODEL", help="Model file, .toml or .json.", show_default=False)],
+    model: Annotated[Path, typer.Argument(metavar="MODEL", help="Model file, or a CAD file.", show_default=False)],
     output: Annotated[
         Path,
         typer.Option(
@@ -69,13 +69,14 @@ def plot(
             "--list", help="Print the quantities there are and stop.", callback=list_quantities, is_eager=True
         ),
     ] = False,
+    face: Annotated[int | None, typer.Option(metavar="N", help="Which face of a CAD file.")] = None,
 ) -> None:
     """Draw a model in space, with true proportions, or as flat maps over its parameters.
 
     One picture a quantity, each with its scale; surface stands for the plain surface.
     """
     keys = read_keys(quantities)
-    loaded = session.load(model)
+    loaded = session.load(model, face)
     chosen = session.patches(loaded, patch)
     if shape is not None:
         values = session.numbers(shape, None, "--shape")

@@ -9,6 +9,7 @@ from quintrig.cli import session
 
 _EPILOG = session.examples(
     ("quintrig report car_boot.toml out/car_boot", "writes the page into the folder out/car_boot"),
+    ("quintrig report part.step out/face3 --face 3", "on a face of a CAD file"),
 )
 
 
@@ -18,11 +19,12 @@ def register(app: typer.Typer) -> None:
 
 
 def report(
-    model: Annotated[Path, typer.Argument(metavar="MODEL", help="Model file, .toml or .json.", show_default=False)],
+    model: Annotated[Path, typer.Argument(metavar="MODEL", help="Model file, or a CAD file.", show_default=False)],
     out: Annotated[Path, typer.Argument(metavar="OUT", help="Folder or .html file to write.", show_default=False)],
+    face: Annotated[int | None, typer.Option(metavar="N", help="Which face of a CAD file.")] = None,
 ) -> None:
     """Write a page on a model: figures, tables, integrals, how far the methods agree, warnings."""
-    loaded = session.load(model)
+    loaded = session.load(model, face)
     from quintrig.report import write_report
 
     with session.progress() as progress:

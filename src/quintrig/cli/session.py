@@ -5,6 +5,7 @@ import sys
 import traceback
 from collections.abc import Callable, Generator, Sequence
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -15,6 +16,7 @@ from quintrig.errors import ModelError, QuintrigError
 if TYPE_CHECKING:
     from rich.console import Console
 
+    from quintrig.exchange.export import Written
     from quintrig.model import Model, Patch
 
 FOUND, MISTAKE, FAULT, INTERRUPTED = 1, 2, 70, 130
@@ -45,11 +47,22 @@ def run(build: Callable[[], typer.Typer], arguments: Sequence[str]) -> int:
     return result if isinstance(result, int) else 0
 
 
-def load(path: Path) -> "Model":
-    """Read a model file; ModelError in one line."""
+def load(path: Path, face: int | None = None) -> "Model":
+    """Read a model file, or a CAD file, all its faces or one; ModelError or QuintrigError in one line."""
+    if face is not None or path.suffix.lower() not in (".toml", ".json"):
+        from quintrig.exchange import isolated
+        from quintrig.exchange.imports import open_model
+
+        if face is not None or path.suffix.lower() in isolated.SUFFIXES:
+            return open_model(path, None if face is None else [face])
     from quintrig import model
 
     return model.load(path)
+
+
+def only(model: "Model", name: str | None) -> "Model":
+    """Return the model with the patch of this name alone, or all of it."""
+    return model if name is None else replace(model, patches=(model.patch(name),))
 
 
 def patches(model: "Model", name: str | None) -> "tuple[Patch, ...]":
@@ -106,6 +119,19 @@ def complain(message: str) -> None:
     _say(message, MISTAKE)
 
 
+def remark(line: str) -> None:
+    """Tell something about the result, on stderr."""
+    sys.stderr.write(f"{printable(line)}\n")
+
+
+def told(result: "Written") -> None:
+    """Tell what an export has to say, and the files that it wrote."""
+    for line in result.notes:
+        remark(line)
+    for path in result.paths:
+        wrote(path)
+
+
 def wrote(path: Path) -> None:
     """Say where the result is, on stderr."""
     sys.stderr.write(f"wrote {printable(str(path))}\n")
@@ -154,10 +180,10 @@ def printable(text: str) -> str:
     return "".join(c if c.isprintable() else repr(c)[1:-1] for c in " ".join(text.splitlines()))
 
 
-def add(app: typer.Typer, command: Callable[..., None], epilog: str) -> None:
+def add(app: typer.Typer, command: Callable[..., None], epilog: str, name: str | None = None) -> None:
     """Add a command, its docstring as help with every paragraph on a line of its own, to wrap at the screen's width."""
     paragraphs = [" ".join(part.split()) for part in (command.__doc__ or "").split("\n\n")]
-    app.command(help="\n\n".join(paragraphs), epilog=epilog)(command)
+    app.command(name, help="\n\n".join(paragraphs), epilog=epilog)(command)
 
 
 def examples(*pairs: tuple[str, str]) -> str:

@@ -30,7 +30,7 @@ def register(app: typer.Typer) -> None:
 
 
 def table(
-    model: Annotated[Path, typer.Argument(metavar="MODEL", help="Model file, .toml or .json.", show_default=False)],
+    model: Annotated[Path, typer.Argument(metavar="MODEL", help="Model file, or a CAD file.", show_default=False)],
     at: Annotated[
         list[str] | None, typer.Option(metavar="U,V", help="A point, u and v in the domain from 0 to 1. Repeatable.")
     ] = None,
@@ -63,6 +63,7 @@ def table(
             "--list", help="Print the quantities there are and stop.", callback=list_quantities, is_eager=True
         ),
     ] = False,
+    face: Annotated[int | None, typer.Option(metavar="N", help="Which face of a CAD file.")] = None,
 ) -> None:
     """Give position, curvatures, types and invariants at chosen points.
 
@@ -78,7 +79,7 @@ def table(
         raise ValueError(
             f"--format: expected csv, json, md or latex for {count:,} points; the screen shows at most {_MOST_SHOWN:,}"
         )
-    loaded = session.load(model)
+    loaded = session.load(model, face)
     from quintrig.table import tabulate
     from quintrig.typeset import WRITERS
 

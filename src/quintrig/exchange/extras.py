@@ -8,7 +8,6 @@ from quintrig.errors import QuintrigError
 EXTRAS = {
     "OCP": ("cad", "OpenCASCADE"),
     "rhino3dm": ("cad", "rhino3dm"),
-    "trimesh": ("mesh", "trimesh"),
     "meshio": ("mesh", "meshio"),
     "ezdxf": ("flat", "ezdxf"),
 }

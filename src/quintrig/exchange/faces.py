@@ -112,7 +112,9 @@ def _pick(contents: Contents, place: str, number: int) -> Face:
     for face in contents.faces:
         if face.number == number:
             return face
-    raise QuintrigError(f"{place}: expected a face from 1 to {len(contents.faces)}, found {number}; --list shows them")
+    raise QuintrigError(
+        f"{place}: expected a face from 1 to {len(contents.faces)}, found {number}; quintrig import {place} --list shows them"
+    )
 
 
 def _distinct(names: Sequence[str]) -> list[str]:

@@ -60,7 +60,8 @@ def export_pattern(patch: Patch, unit: str, path: Path, options: FlattenOptions 
         from quintrig.exchange.pattern_pdf import pdf
 
         write_whole(path, pdf(page))
-    return (*page.remarks, *_checks(pattern, unit), *_cautions(pattern))
+    drawn = [remark for remark in page.remarks if not remark.startswith("boundaries ")]
+    return (*drawn, *_checks(pattern, unit), *_cautions(pattern))
 
 
 def _checks(pattern: Pattern, unit: str) -> tuple[str, ...]:

@@ -1,7 +1,8 @@
 """Models as TOML text: the few kinds of value that model files hold."""
 
 import json
-from typing import Any
+import textwrap
+from typing import Any, cast
 
 _WIDTH = 110
 
@@ -24,6 +25,11 @@ def _value(value: Any, indent: str) -> str:
     flat = json.dumps(value, ensure_ascii=False)
     if not isinstance(value, list) or len(indent) + len(flat) <= _WIDTH:
         return flat
+    items = cast(list[Any], value)
     inner = indent + "    "
-    items = ",\n".join(inner + _value(item, inner) for item in value)  # pyright: ignore[reportUnknownVariableType, reportUnknownArgumentType]
-    return f"[\n{items},\n{indent}]"
+    if not isinstance(items[0], list):
+        words = [json.dumps(item, ensure_ascii=False) for item in items]
+        text = textwrap.fill(", ".join(words), _WIDTH, initial_indent=inner, subsequent_indent=inner)
+    else:
+        text = ",\n".join(inner + _value(item, inner) for item in items)
+    return f"[\n{text},\n{indent}]"

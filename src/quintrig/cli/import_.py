@@ -1,0 +1,138 @@
+"""``quintrig import``: faces and curves of CAD files, and control nets, as models."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Literal
+
+import typer
+
+from quintrig.cli import session
+
+if TYPE_CHECKING:
+    from quintrig.arrays import FloatArray
+    from quintrig.model import Model
+
+_EPILOG = session.examples(
+    ("quintrig import part.step --list", "what the file holds"),
+    ("quintrig import part.step --face 3 -o face.toml", "one face as a model"),
+    ("quintrig import frame.3dm --curve 2 -o section.csv", "a curve as six control points"),
+    ("quintrig import frame.3dm --curve 2 --into lid.toml --key section -o lid2.toml", "the same, into a model"),
+    ("quintrig import net.csv -o net.toml", "36 points as a tensor-product surface"),
+)
+
+
+def register(app: typer.Typer) -> None:
+    """Add the command, whose name is a word of Python."""
+    session.add(app, import_, _EPILOG, name="import")
+
+
+def import_(
+    file: Annotated[
+        Path, typer.Argument(metavar="FILE", help="STEP, IGES, BREP, 3DM, CSV or JSON file.", show_default=False)
+    ],
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", metavar="OUT", help="Model to write, .toml or .json; a net: .csv.")
+    ] = None,
+    listing: Annotated[bool, typer.Option("--list", help="Print what the file holds and stop.")] = False,
+    face: Annotated[list[int] | None, typer.Option(metavar="N", help="Only this face. Repeatable.")] = None,
+    curve: Annotated[int | None, typer.Option(metavar="N", help="This curve, as a control polygon.")] = None,
+    shape: Annotated[
+        str, typer.Option(metavar="α,ζ", help="Shape parameters of the six points that stand for a curve.")
+    ] = "0,0",
+    raw: Annotated[bool, typer.Option("--raw", help="The curve's own control points, as they are.")] = False,
+    into: Annotated[Path | None, typer.Option(metavar="MODEL", help="Put the net into this model.")] = None,
+    key: Annotated[str | None, typer.Option(metavar="KEY", help="Which net of it, such as section.")] = None,
+    patch: Annotated[str | None, typer.Option(metavar="NAME", help="Which patch of it, if it has several.")] = None,
+    kind: Annotated[
+        Literal["tensor"], typer.Option(help="Kind of the model that a CSV or JSON net becomes.")
+    ] = "tensor",
+) -> None:
+    """Turn faces of CAD files into models, exactly, and curves and nets into control points.
+
+    A face becomes a NURBS patch with its trim; every other command reads CAD files directly too.
+    """
+    from quintrig.errors import QuintrigError
+    from quintrig.exchange.imports import CAD_SUFFIXES, contents
+
+    if listing:
+        if file.suffix.lower() not in CAD_SUFFIXES:
+            raise QuintrigError(f"{file}: expected a CAD file to list ({', '.join(CAD_SUFFIXES)})")
+        found = contents(file)
+        unit = f", unit {found.unit}" if found.unit else ""
+        session.emit(f"{found.name}: faces {len(found.faces)}, curves {len(found.curves)}{unit}")
+        for item in found.faces:
+            session.emit(f"face {item.number}: {item.name}: {item.described}")
+        for item in found.curves:
+            session.emit(f"curve {item.number}: {item.name}: {item.described}")
+        return
+    if output is None:
+        raise QuintrigError("import: expected where to write, -o OUT, or --list")
+    if curve is not None or into is not None:
+        _net(file, output, face, curve, shape, raw, into, key, patch)
+        return
+    from quintrig.exchange.export import export
+    from quintrig.exchange.imports import open_model
+    from quintrig.exchange.nets import SUFFIXES, model_from_net
+
+    if output.suffix.lower() not in SUFFIXES:
+        raise QuintrigError(f"{output}: expected a name ending in .toml, .json or .csv; quintrig export writes others")
+    is_net = file.suffix.lower() in (".csv", ".json")
+    if not is_net and file.suffix.lower() not in (*CAD_SUFFIXES, ".toml"):
+        raise QuintrigError(f"{file}: expected a file ending in {', '.join(CAD_SUFFIXES)}, .csv or .json")
+    model = model_from_net(file, {"kind": kind}) if is_net else open_model(file, face)
+    session.told(export(model, output))
+
+
+def _net(
+    file: Path,
+    output: Path,
+    face: list[int] | None,
+    curve: int | None,
+    shape: str,
+    raw: bool,
+    into: Path | None,
+    key: str | None,
+    patch: str | None,
+) -> None:
+    """Write a curve's or face's control points as CSV, or into a model."""
+    from quintrig.errors import QuintrigError
+
+    points = _points(file, face, curve, shape, raw)
+    if into is None:
+        if output.suffix.lower() != ".csv":
+            raise QuintrigError(f"{output}: expected a name ending in .csv for the points of a curve, or --into MODEL")
+        from quintrig.exchange.nets import to_csv
+
+        session.deliver(to_csv(points), output)
+        return
+    if key is None:
+        raise QuintrigError("--into: expected the name of the net too, such as --key section")
+    from quintrig.exchange.export import export
+    from quintrig.exchange.nets import put_into
+
+    model: Model = put_into(session.load(into), patch, key, points)
+    session.told(export(model, output))
+
+
+def _points(file: Path, face: list[int] | None, curve: int | None, shape: str, raw: bool) -> "FloatArray":
+    import numpy as np
+
+    from quintrig.exchange.faces import pick_curve, to_model
+    from quintrig.exchange.imports import CAD_SUFFIXES, contents
+    from quintrig.exchange.nets import polygon
+    from quintrig.model import read_net
+
+    if file.suffix.lower() not in CAD_SUFFIXES:
+        return np.array(read_net(file), dtype=np.float64)
+    found = contents(file)
+    if curve is None:
+        net = to_model(found, str(file), face).surface.net
+        assert net is not None
+        return net
+    chosen = pick_curve(found, str(file), curve)
+    if raw:
+        return np.array(chosen.points)
+    points, gap = polygon(chosen, session.numbers(shape, 2, "--shape"))
+    session.remark(
+        f"six control points: largest distance from the curve {gap:.3g}{' ' + found.unit if found.unit else ''}"
+    )
+    return points

@@ -1,0 +1,50 @@
+"""A model in the format that a file's suffix says: CAD, mesh, or control net."""
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from quintrig.errors import QuintrigError, nearest
+from quintrig.exchange import cad, meshes, nets
+from quintrig.exchange.cad import CadOptions, export_cad
+from quintrig.exchange.meshes import MeshOptions, export_mesh
+from quintrig.exchange.nets import export_net
+from quintrig.model import Model
+
+SUFFIXES = (*cad.SUFFIXES, *meshes.SUFFIXES, *nets.SUFFIXES)
+"""Every ending that ``export`` knows."""
+
+
+@dataclass(frozen=True)
+class ExportOptions:
+    """What only some formats ask for."""
+
+    cad: CadOptions = field(default_factory=CadOptions)
+    mesh: MeshOptions = field(default_factory=MeshOptions)
+
+
+@dataclass(frozen=True)
+class Written:
+    """The files written, mostly one, and what to tell about them, one line each."""
+
+    paths: tuple[Path, ...]
+    notes: tuple[str, ...]
+
+
+def export(model: Model, path: str | Path, options: ExportOptions | None = None) -> Written:
+    """Write a model to a file, whole or not at all.
+
+    Raises QuintrigError for an unknown suffix, a missing extra or an unwritable target, ValueError where the model
+    cannot be written in this format.
+    """
+    path, options = Path(path), options or ExportOptions()
+    suffix = path.suffix.lower()
+    if suffix in cad.SUFFIXES:
+        return Written((path,), export_cad(model, path, options.cad))
+    if suffix in meshes.SUFFIXES:
+        return Written((path,), export_mesh(model, path, options.mesh))
+    if suffix in nets.SUFFIXES:
+        return Written(export_net(model, path), ())
+    hint = (
+        "; quintrig flatten writes flat patterns" if suffix in (".dxf", ".svg", ".pdf") else nearest(suffix, SUFFIXES)
+    )
+    raise QuintrigError(f"{path}: expected a file ending in {', '.join(SUFFIXES)}{hint}")

@@ -1,0 +1,147 @@
+"""Control nets as CSV and JSON, out of models and into them, and curves of CAD files as control polygons."""
+
+import json
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any, cast
+
+import numpy as np
+
+from quintrig.arrays import FloatArray, frozen
+from quintrig.basis import Trigonometric
+from quintrig.bspline import normalised
+from quintrig.errors import ModelError, QuintrigError, nearest
+from quintrig.exchange.faces import SpaceCurve
+from quintrig.exchange.toml import to_toml
+from quintrig.files import write_whole
+from quintrig.model import Model, read_text
+from quintrig.rational import RIGHT_ANGLE
+
+SUFFIXES = (".csv", ".json", ".toml")
+"""Endings of the files that hold control nets: numbers alone, or whole models."""
+
+
+def export_net(model: Model, path: Path) -> tuple[Path, ...]:
+    """Write control points as CSV, or the whole model as JSON or TOML; return the files written.
+
+    A CSV has one point a line, row by row, as models read it; a patch with several nets gives one file for each, and
+    so do several patches. Raises QuintrigError for a model without control points and an unwritable target.
+    """
+    suffix = path.suffix.lower()
+    if suffix == ".json":
+        return (write_whole(path, json.dumps(model.to_dict(), ensure_ascii=False, indent=1) + "\n"),)
+    if suffix == ".toml":
+        return (write_whole(path, to_toml(model.to_dict())),)
+    nets = {
+        (patch.name, key): getattr(patch.definition, key) for patch in model.patches for key in _keys(patch.definition)
+    }
+    if not nets:
+        kinds = ", ".join(sorted({patch.kind for patch in model.patches}))
+        raise QuintrigError(f"{path}: a {kinds} has no control points to write; export a mesh or a table instead")
+    names = _file_names(path, list(nets))
+    return tuple(write_whole(name, to_csv(net)) for name, net in zip(names, nets.values(), strict=True))
+
+
+def to_csv(net: Any) -> str:
+    """Return a net of points, (n, d) or (n, m, d), as CSV with a heading, every digit kept."""
+    points = np.asarray(net, dtype=np.float64)
+    rows = points.reshape(-1, points.shape[-1])
+    heading = {2: "a,b", 3: "x,y,z", 4: "a,b,c,d"}[points.shape[-1]]
+    remark = f"# {' x '.join(str(count) for count in points.shape[:-1])} points, row by row"
+    return "\n".join([remark, heading, *(",".join(repr(value) for value in row) for row in rows.tolist())]) + "\n"
+
+
+def model_from_net(path: Path, keys: dict[str, Any]) -> Model:
+    """Return a model whose net is the CSV or JSON file; ``keys`` are its other keys, ``kind`` among them.
+
+    A CSV lists the points of the one net of its kind; a JSON file holds that net as nested lists, or a whole model.
+    Raises ModelError naming the file for anything else.
+    """
+    if path.suffix.lower() == ".json":
+        text = read_text(path)
+        try:
+            data = json.loads(text)
+        except RecursionError:
+            raise ModelError(f"{path}: nested too deeply to be a net") from None
+        except ValueError as error:
+            raise ModelError(f"{path}: not valid JSON: {error}") from None
+        if isinstance(data, dict):
+            return _named(path, cast(dict[str, Any], data) | {k: v for k, v in keys.items() if k != "kind"})
+        return _named(path, keys | {"points": data})
+    return _named(path, keys | {"points": path.name})
+
+
+def put_into(model: Model, patch: str | None, key: str, points: FloatArray) -> Model:
+    """Return the model with another net in one patch; ModelError naming the nets that the patch has."""
+    chosen = model.patch(patch)
+    known = _keys(chosen.definition)
+    if key not in known:
+        raise ModelError(
+            f'patch "{chosen.name}": a {chosen.kind} has no net {key!r}{nearest(key, known)}; it has '
+            f"{', '.join(known) or 'none'}"
+        )
+    data = model.to_dict()
+    index = [one.name for one in model.patches].index(chosen.name)
+    table = data["patch"][index] if "patch" in data else data
+    old = np.asarray(getattr(chosen.definition, key), dtype=np.float64)
+    if points.ndim != old.ndim:
+        points = points.reshape(-1, old.shape[1], points.shape[-1]) if points.ndim < old.ndim else points
+    table[key] = points[..., : old.shape[-1]].tolist()
+    return Model.from_dict(data)
+
+
+def polygon(curve: SpaceCurve, shape: Sequence[float] = (0.0, 0.0)) -> tuple[FloatArray, float]:
+    """Return six control points (6, 3) of the trigonometric curve nearest to a CAD curve, and how near, length¹.
+
+    ``shape`` is (α, ζ). End points are kept; the rest is least squares at equal parameters, the curve's own or, for
+    the exact form that quintrig writes, those of the tangent map: then the curve comes back exactly.
+    """
+    alpha, zeta = frozen(list(shape), "shape", (2,)).tolist()
+    basis = Trigonometric(alpha, zeta)
+    x: FloatArray = np.linspace(0.0, 1.0, 401)
+    target = _curve_points(curve, x)
+    best: tuple[FloatArray, float] | None = None
+    for t in (x, RIGHT_ANGLE.backward(x)):
+        matrix = basis.derivatives(t, 0)[0]
+        ends = np.outer(matrix[:, 0], target[0]) + np.outer(matrix[:, 5], target[-1])
+        inner = cast(FloatArray, np.linalg.lstsq(matrix[:, 1:5], target - ends, rcond=None)[0])
+        points: FloatArray = np.concatenate([target[:1], inner, target[-1:]])
+        gap = float(np.sqrt(((matrix @ points - target) ** 2).sum(axis=1)).max())
+        if best is None or gap < best[1]:
+            best = points, gap
+    assert best is not None
+    return best
+
+
+def _curve_points(curve: SpaceCurve, x: FloatArray) -> FloatArray:
+    basis = normalised(curve.knots, curve.degree)
+    blend = basis.derivatives(x, 0)[0] * np.asarray(curve.weights)
+    return blend @ np.asarray(curve.points) / blend.sum(axis=1, keepdims=True)
+
+
+def _keys(definition: Any) -> tuple[str, ...]:
+    """Return the keys of a patch that hold control points."""
+    if definition is None:
+        return ()
+    return ("points",) if definition.kind == "nurbs" else tuple(definition.nets)
+
+
+def _file_names(path: Path, nets: list[tuple[str, str]]) -> list[Path]:
+    patches = {patch for patch, _ in nets}
+    several = [[patch for patch, _ in nets].count(patch) > 1 for patch, _ in nets]
+    names: list[Path] = []
+    for (patch, key), more in zip(nets, several, strict=True):
+        words = [path.stem, *([_plain(patch)] if len(patches) > 1 else []), *([key] if more else [])]
+        names.append(path.with_name("-".join(words) + path.suffix))
+    return names
+
+
+def _plain(name: str) -> str:
+    return "".join(letter if letter.isalnum() or letter in "-_" else "_" for letter in name)[:60]
+
+
+def _named(path: Path, keys: dict[str, Any]) -> Model:
+    try:
+        return Model.from_dict({"name": path.stem} | keys, path.parent)
+    except ModelError as error:
+        raise ModelError(f"{path}: {error}") from None
