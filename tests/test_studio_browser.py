@@ -189,6 +189,38 @@ def test_a_control_point_is_dragged_along_a_free_axis_only(context, served):
     assert state(page, "model.patches[0].section") == before
 
 
+def test_a_plane_of_a_developable_is_dragged_along_its_normal(context, served):
+    page = opened(context, served.site.address)
+    page.get_by_label("Construction", exact=True).select_option("developable")
+    page.evaluate(DRAW)
+    before = state(page, "model.patches[0].planes")
+    at = page.evaluate("document.querySelector('[data-quintrig]').studio.locate('planes[2]')")
+    page.mouse.move(at["x"], at["y"])
+    page.mouse.down()
+    page.mouse.move(at["x"], at["y"] - 25, steps=5)
+    page.mouse.up()
+    after = state(page, "model.patches[0].planes")
+    assert after[2][:3] == before[2][:3]
+    assert after[2][3] != before[2][3]
+    assert [after[i] for i in (0, 1, 3, 4, 5)] == [before[i] for i in (0, 1, 3, 4, 5)]
+
+
+def test_the_image_of_a_symmetric_net_moves_its_source(context, served):
+    page = opened(context, served.site.address)
+    page.get_by_label("Construction", exact=True).select_option("symmetric")
+    page.evaluate(DRAW)
+    before = np.array(state(page, "model.patches[0].points"))
+    at = page.evaluate("document.querySelector('[data-quintrig]').studio.locate('points[1][5]′')")
+    page.mouse.move(at["x"], at["y"])
+    page.mouse.down()
+    page.mouse.move(at["x"] + 30, at["y"], steps=5)
+    page.mouse.up()
+    moved = np.array(state(page, "model.patches[0].points")) - before
+    assert np.abs(moved[1, 5]).max() > 1
+    moved[1, 5] = 0
+    assert np.all(moved == 0)
+
+
 def test_the_arrow_keys_move_the_chosen_point(context, served):
     page = opened(context, served.site.address)
     before = np.array(state(page, "model.patches[0].section"))

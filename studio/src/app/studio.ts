@@ -149,7 +149,7 @@ export class Studio {
   /** Bring everything that follows from the state up to date. */
   private work(): void {
     const { state } = this.store, { settings } = state;
-    this.dark = settings.theme === "dark" || (settings.theme === "auto" && matchMedia("(prefers-color-scheme: dark)").matches);
+    this.dark = settings.theme === "dark" || (settings.theme === "auto" && this.darkAround());
     this.root.dataset["theme"] = this.dark ? "dark" : "light";
     const shown = this.shown();
     if (this.stage.cells.length !== shown.length) this.fitAfter = true;
@@ -305,6 +305,7 @@ export class Studio {
   private warning(state: State): string {
     const patch = state.model.patches[state.patch]!, piece = this.stage.cells[0]?.pieces[state.patch];
     if (patch["unchecked_shape"] === true && shapeOf(patch).some((x) => x < -4 || x > 1)) return "Shape parameters outside [−4, 1]: the convex-hull property is lost";
+    if ((patch["trim"] as unknown[] | undefined)?.length) return "A trimmed face: the whole of its surface is shown";
     if (patch.kind !== "developable" || state.moving || !piece?.surface) return "";
     const inside = regression(piece.surface);
     if (!inside.length) return "";
@@ -327,6 +328,14 @@ export class Studio {
     if (!width || !height) return;
     this.stage.resize(width, height, Math.min(2, devicePixelRatio || 1));
     this.plan(true);
+  }
+
+  /** Whether the window, or the page around the viewer, is dark. */
+  private darkAround(): boolean {
+    if (this.host.kind === "notebook" && document.body.dataset["jpThemeLight"]) return document.body.dataset["jpThemeLight"] === "false";
+    const wanted = matchMedia("(prefers-color-scheme: dark)").matches;
+    // A page that says nothing of dark is light whatever the system prefers.
+    return wanted && (this.host.kind === "live" || getComputedStyle(document.documentElement).colorScheme.includes("dark"));
   }
 
   private switchTheme(): void {
