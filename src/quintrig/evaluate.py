@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from quintrig.arrays import FloatArray, IntArray
+from quintrig.arrays import FloatArray, IntArray, whole
 from quintrig.blocks import BLOCK, derivative_blocks, pad
 from quintrig.kernel import FORM_ONLY, SIMPLE, Driver, driver
 from quintrig.planes import CODE_PLANES, CODE_SLOTS, FLOAT_PLANES, FLOAT_SLOTS, CodePlanes, FloatPlanes
@@ -33,9 +33,7 @@ def workers(threads: int | None, points: int) -> int:
     """Return how many threads to use: ``threads``, or by default what the machine has and the work is worth."""
     if threads is None:
         return max(1, min(os.cpu_count() or 1, points // 32768))
-    if threads < 1:
-        raise ValueError(f"threads: expected 1 or more, found {threads}")
-    return threads
+    return whole(threads, "threads", 1)
 
 
 def fills_grid(surface: Surface) -> bool:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from quintrig import evaluate
-from quintrig.arrays import BoolArray, FloatArray, parameter
+from quintrig.arrays import BoolArray, FloatArray, parameter, whole
 from quintrig.classify import Thresholds
 from quintrig.quantity import BY_KEY, quantity
 from quintrig.surface import Surface
@@ -70,10 +70,10 @@ class Sample:
 
 def grid(nu: int, nv: int) -> tuple[FloatArray, FloatArray]:
     """Return the open mesh of nu x nv parameters over the domain, shapes (nu, 1) and (1, nv), edges included."""
-    for name, count in (("nu", nu), ("nv", nv)):
-        if count < 2:
-            raise ValueError(f"{name}: expected 2 or more points a side, found {count}")
-    return np.linspace(0.0, 1.0, nu)[:, None], np.linspace(0.0, 1.0, nv)[None, :]
+    return (
+        np.linspace(0.0, 1.0, whole(nu, "nu", 2))[:, None],
+        np.linspace(0.0, 1.0, whole(nv, "nv", 2))[None, :],
+    )
 
 
 def analyse(
@@ -98,9 +98,15 @@ def analyse(
     keys = _keys(quantities)
     thresholds = thresholds or Thresholds()
     size = surface.size
-    shape = np.broadcast_shapes(u.shape, v.shape)
+    try:
+        shape = np.broadcast_shapes(u.shape, v.shape)
+    except ValueError:
+        raise ValueError(f"u and v: shapes {u.shape} and {v.shape} do not broadcast to one") from None
     on_grid = u.ndim == v.ndim == 2 and u.shape[1] == v.shape[0] == 1 and evaluate.fills_grid(surface)
     rows, columns = shape if on_grid else (1, math.prod(shape))
+    strange = set(out or ()) - set(keys)
+    if strange:
+        raise ValueError(f"out[{sorted(strange)[0]!r}]: expected only quantities that are asked for")
     planes = {key: _plane(key, rows, columns, shape, out) for key in keys}
     per_size = 1.0 / size if size > 0.0 else math.inf
     settings = (
@@ -147,4 +153,4 @@ def _plane(
 def _shaped(key: str, plane: NDArray[Any], shape: tuple[int, ...]) -> NDArray[Any]:
     if BY_KEY[key].components == 1:
         return plane[0].reshape(shape)
-    return np.moveaxis(plane.reshape(-1, *shape), 0, -1)
+    return np.moveaxis(plane.reshape(len(plane), *shape), 0, -1)
