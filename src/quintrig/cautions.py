@@ -101,8 +101,19 @@ def find_cautions(
     told = [singular.describe(), *_edges(surface, size), *_parameters(surface, unit), *_points(surface)]
     regressive = _regression(surface)
     told += regressive or _folds(sample)
-    told += [*_vertical(sample), *_unbounded(extremes)]
+    told += [*_vertical(sample), *_unbounded(extremes), *_trimmed(surface, sample)]
     return tuple(line for line in told if line)
+
+
+def _trimmed(surface: Surface, sample: Sample) -> list[str]:
+    if not surface.trim:
+        return []
+    inside = surface.inside(sample.u, sample.v)
+    outside = inside.size - int(inside.sum())
+    return [
+        f"The face is trimmed: {outside} of {inside.size} sample points lie outside its loops, on the carrier surface "
+        "alone; extremes, integrals and shares count all of the carrier."
+    ]
 
 
 def _edges(surface: Surface, size: float) -> list[str]:

@@ -53,6 +53,9 @@ class Net:
         return (f @ self.points.reshape(len(self.points), -1)).reshape(*f.shape[:-1], *self.points.shape[1:])
 
 
+_ON_LOOP = 1e-9  # parameters this near to a trim loop are on it
+
+
 @dataclass(frozen=True, eq=False)
 class Surface:
     """S(u, v) = Σ_j Q_j(u) D_j(v) over (u, v) in [0, 1]².
@@ -93,17 +96,21 @@ class Surface:
     def inside(self, u: ArrayLike, v: ArrayLike) -> BoolArray:
         """Return which parameters lie inside the ``trim`` loops, shape of u and v broadcast; all where there are none.
 
-        A point is inside where a line from it crosses the loops an odd number of times.
+        A point is inside where a line from it crosses the loops an odd number of times, and on a loop itself.
         """
         u, v = np.broadcast_arrays(parameter(u, "u"), parameter(v, "v"))
         if not self.trim:
             return np.ones(u.shape, dtype=np.bool_)
         result: BoolArray = np.zeros(u.shape, dtype=np.bool_)
+        border: BoolArray = np.zeros(u.shape, dtype=np.bool_)
         for loop in self.trim:
             for (u0, v0), (u1, v1) in zip(loop, np.roll(loop, -1, axis=0), strict=True):
-                if v0 != v1:
-                    result ^= ((v0 > v) != (v1 > v)) & (u < u0 + (v - v0) / (v1 - v0) * (u1 - u0))
-        return result
+                du, dv = u1 - u0, v1 - v0
+                side = du * (v - v0) - dv * (u - u0)
+                result ^= ((v0 > v) != (v1 > v)) & ((side > 0.0) == (dv > 0.0)) & (dv != 0.0)
+                along, square = du * (u - u0) + dv * (v - v0), du * du + dv * dv
+                border |= (np.abs(side) <= _ON_LOOP * math.sqrt(square)) & (along >= 0.0) & (along <= square)
+        return result | border
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> Any:
         """Return the interactive view that a notebook shows; only the text where the extra ``jupyter`` is missing."""

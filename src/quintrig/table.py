@@ -88,6 +88,9 @@ def tabulate(
         columns.append(Column(name, name, name, f"parameter {name}", "", _floats(values), _floats(values)))
     for key in ("point", *(key for key in keys if key != "point")):
         columns += _columns(BY_KEY[key], sample, unit)
+    if surface.trim:
+        words = tuple("inside" if inner else "outside" for inner in surface.inside(sample.u, sample.v).ravel().tolist())
+        columns.append(Column("trim", "trim", r"\mathrm{trim}", "side of the face's trim loops", "", words, words))
     return Table(title, _notes(sample, keys, unit), tuple(columns))
 
 
@@ -154,6 +157,8 @@ def _notes(sample: Sample, keys: Sequence[str], unit: str) -> tuple[str, ...]:
         notes.append(f"Invariants in the metric of the {which}.")
     if any(key in CLASSES for key in keys) and sample.size > 0.0:
         notes.append(f"Types: {sample.thresholds.describe(sample.size, unit)}.")
+    if sample.surface.trim:
+        notes.append("The face is trimmed: points outside its loops belong to the carrier surface alone.")
     count = int(sample.singular.sum())
     if count:
         notes.append(

@@ -47,7 +47,9 @@ def read_cad(path: Path) -> Contents:
             for shape_edge in _free_edges(shape):
                 curve = _curve(len(curves) + 1, label_of(shape_edge) or name, down_to("Edge", shape_edge))
                 curves += [curve] if curve else []
-    title = next((name for name, _, _ in shapes if name), path.stem)
+    # OpenCASCADE calls what nobody named after itself.
+    named_shapes = [name for name, _, _ in shapes if name and not name.startswith("Open CASCADE")]
+    title = named_shapes[0] if len(named_shapes) == 1 else path.stem
     return Contents(title, unit, tuple(faces), tuple(curves), tuple(notes))
 
 

@@ -42,6 +42,7 @@ def draw_map(
     axes.set_xlim(0.0, 1.0)
     axes.set_ylim(0.0, 1.0)
     draw_colours(axes, f.colours(stretch))
+    draw_trim(axes, surface)
     _undefined(axes, f)
     for key in zero_keys(f) if zeros else ():
         nodes = np.linspace(0.0, 1.0, 241)
@@ -84,6 +85,19 @@ def draw_colours(axes: Axes, colours: FloatArray) -> None:
         zorder=1,
         rasterized=True,
     )
+
+
+def draw_trim(axes: Axes, surface: Surface) -> None:
+    """Draw the loops of a trimmed face, and pale what is outside: it is on the carrier surface alone."""
+    if not surface.trim:
+        return
+    middle = (np.arange(480) + 0.5) / 480
+    veil = np.ones((480, 480, 4))
+    veil[..., 3] = np.where(surface.inside(middle[None, :], middle[:, None]), 0.0, 0.72)
+    axes.imshow(veil, origin="lower", extent=(0.0, 1.0, 0.0, 1.0), aspect="equal", zorder=2, rasterized=True)
+    for loop in surface.trim:
+        closed = np.concatenate([loop, loop[:1]])
+        axes.plot(closed[:, 0], closed[:, 1], color=INK, linewidth=1.3, zorder=4)
 
 
 def draw_marks(axes: Axes, marks: Sequence[Mark]) -> None:
