@@ -5,7 +5,7 @@ import io
 from dataclasses import dataclass
 
 from quintrig.cli.app import build
-from quintrig.cli.session import run
+from quintrig.cli.ending import run
 
 
 @dataclass(frozen=True)

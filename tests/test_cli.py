@@ -62,7 +62,7 @@ def test_no_command_shows_the_help():
 
 def test_help_loads_nothing_heavy():
     script = (
-        "import sys\nfrom quintrig.cli.app import build\nfrom quintrig.cli.session import run\n"
+        "import sys\nfrom quintrig.cli.app import build\nfrom quintrig.cli.ending import run\n"
         "assert run(build, ['--help']) == 0\n"
         "sys.exit(', '.join({'numpy', 'numba', 'scipy', 'matplotlib', 'pydantic', 'jinja2'} & sys.modules.keys()) or 0)"
     )

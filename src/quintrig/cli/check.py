@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from quintrig.cli import session
+from quintrig.cli.ending import FOUND, MISTAKE, printable
 from quintrig.errors import ModelError
 
 if TYPE_CHECKING:
@@ -49,18 +50,16 @@ def check(
             session.complain(str(error))
             mistakes += 1
     if mistakes:
-        raise typer.Exit(session.MISTAKE)
+        raise typer.Exit(MISTAKE)
     if warnings and strict:
-        raise typer.Exit(session.FOUND)
+        raise typer.Exit(FOUND)
 
 
 def _tell(path: Path, model: "Model", console: "Console") -> int:
     """Print what a model is; return the number of warnings."""
     from rich.markup import escape
 
-    console.print(
-        f"[bold]{escape(session.printable(model.name))}[/bold]  [dim]{escape(session.printable(str(path)))}[/dim]"
-    )
+    console.print(f"[bold]{escape(printable(model.name))}[/bold]  [dim]{escape(printable(str(path)))}[/dim]")
     return sum(_tell_patch(patch, model, console) for patch in model.patches)
 
 

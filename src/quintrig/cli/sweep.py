@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from quintrig.cli import session
+from quintrig.cli.ending import printable
 
 if TYPE_CHECKING:
     from quintrig.arrays import FloatArray
@@ -129,7 +130,7 @@ def _run(sweep: "Sweep", scheduler: str | None) -> None:
     total = sweep.task.space.count
     fresh = total - (first[0] if first else 0)
     seconds = perf_counter() - began
-    place = session.printable(str(sweep.folder))
+    place = printable(str(sweep.folder))
     if fresh:
         said = f"{fresh:,} designs in {seconds:.1f} s, {fresh / seconds:,.0f} a second, in {place}"
     else:

@@ -1,0 +1,95 @@
+"""How a run ends: mistakes told in one line on stderr, exit codes, nothing more."""
+
+import os
+import sys
+import traceback
+from collections.abc import Callable, Sequence
+
+import typer
+
+from quintrig.errors import ModelError, QuintrigError
+
+FOUND, MISTAKE, FAULT, INTERRUPTED = 1, 2, 70, 130
+"""Exit codes: a check found problems, the user's mistake, a fault of quintrig, Ctrl-C."""
+
+
+def run(build: Callable[[], typer.Typer], arguments: Sequence[str]) -> int:
+    """Run the application and return the exit code; a mistake of the user is told in one line on stderr."""
+    debug = "--debug" in arguments
+    _prepare_streams()
+    try:
+        result = build()(
+            args=[word for word in arguments if word != "--debug"], prog_name="quintrig", standalone_mode=False
+        )
+        sys.stdout.flush()
+    except BrokenPipeError:
+        _silence_stdout()
+        return 0
+    except (KeyboardInterrupt, typer.Abort):
+        return say("interrupted", INTERRUPTED)
+    except Exception as error:
+        if debug:
+            traceback.print_exc()
+        return _tell(error)
+    if result == INTERRUPTED:  # typer has caught it before
+        return say("interrupted", INTERRUPTED)
+    # Outside standalone mode typer returns the code of an Exit, or else what the command returned.
+    return result if isinstance(result, int) else 0
+
+
+def printable(text: str) -> str:
+    """Return the text on one line, with control characters, which could act on a terminal, spelled out."""
+    return "".join(c if c.isprintable() else repr(c)[1:-1] for c in " ".join(text.splitlines()))
+
+
+def _tell(error: Exception) -> int:
+    """Say in one line what went wrong, and return the exit code."""
+    usage = getattr(error, "format_message", None)
+    if usage is not None:  # typer's own: a wrong option, a missing argument
+        text = str(usage()).rstrip(".")
+        return say(f"{text}{_see_help(error)}", MISTAKE) if text else MISTAKE
+    if isinstance(error, (ModelError, QuintrigError)) or (isinstance(error, ValueError) and _is_ours(error)):
+        return say(str(error), MISTAKE)
+    if isinstance(error, OSError):
+        place = f"{error.filename}: " if error.filename else ""
+        return say(f"{place}{error.strerror or error}; check the path, the permissions and the free space", MISTAKE)
+    if isinstance(error, MemoryError):
+        return say("not enough memory; ask for fewer points", MISTAKE)
+    what = f"{type(error).__name__}: {error}"[:200]
+    return say(
+        f"a fault in quintrig itself ({what}); please report it with the command and the model; --debug shows where",
+        FAULT,
+    )
+
+
+def _see_help(error: Exception) -> str:
+    context = getattr(error, "ctx", None)
+    return f"; see {context.command_path} --help" if context is not None else ""
+
+
+def _is_ours(error: Exception) -> bool:
+    """Tell whether quintrig's own code raised the error: anything deeper is a fault, not a user's mistake."""
+    trace = error.__traceback__
+    while trace is not None and trace.tb_next is not None:
+        trace = trace.tb_next
+    return trace is not None and str(trace.tb_frame.f_globals.get("__name__", "")).startswith("quintrig")
+
+
+def say(message: str, code: int) -> int:
+    """Say on stderr, in one line, what ended the run; return the exit code."""
+    sys.stderr.write(f"quintrig: {printable(message)}\n")
+    return code
+
+
+def _prepare_streams() -> None:
+    """Write UTF-8 to files and pipes, and never fail on a letter that the terminal lacks."""
+    reconfigure = getattr(sys.stdout, "reconfigure", None)
+    if reconfigure is not None and sys.stdout.isatty():
+        reconfigure(errors="replace")
+    elif reconfigure is not None:
+        reconfigure(encoding="utf-8", errors="backslashreplace")
+
+
+def _silence_stdout() -> None:
+    """Point stdout elsewhere, so that flushing it at exit does not fail on the broken pipe again."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
