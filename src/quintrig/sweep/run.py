@@ -93,8 +93,10 @@ def _on_cluster(sweep: Sweep, parts: list[int], scheduler: str) -> Iterator[tupl
 
     try:
         with client:
-            running: Any = cast(Any, as_completed)(submit(_AHEAD), with_results=True)
+            running: Any = cast(Any, as_completed)(submit(_AHEAD), loop=client.loop, with_results=True)
             for future, rows in running:
+                if isinstance(rows, BaseException):  # how a lost scheduler shows itself
+                    raise rows
                 yield numbers.pop(future.key), rows
                 future.release()
                 for more in submit(1):
