@@ -472,6 +472,7 @@ def test_a_report_page_works_from_disk_without_network(context, tmp_path):
     page.get_by_label("alpha 1, number").fill("-2")
     page.keyboard.press("Enter")
     assert shape_of(page)[0] == -2
+    page.set_viewport_size({"width": 900, "height": 700})  # the narrow column of a report, where less is shown
     page.get_by_role("button", name="Save the model").click()
     with page.expect_download() as waiting:
         page.get_by_role("menuitem", name="Download TOML").click()

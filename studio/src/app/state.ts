@@ -35,6 +35,8 @@ export interface State {
   readonly canRedo: boolean;
   /** True while something is dragged: coarse is good enough. */
   readonly moving: boolean;
+  /** How many models were opened. */
+  readonly opened: number;
   readonly message: { readonly text: string; readonly kind: "error" | "note" } | null;
 }
 
@@ -110,7 +112,7 @@ export class Store {
     this.gesture = null;
     this.set({
       model, saved, source, patch: 0, selected: null, pins: [], hover: null, kept: [], compare: "off", canUndo: false, canRedo: false,
-      moving: false, message: null,
+      moving: false, message: null, opened: this.state.opened + 1,
     });
   }
 

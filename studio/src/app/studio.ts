@@ -18,6 +18,7 @@ import type { ViewName } from "../view/camera";
 import { frameOf, toScene, UNIT_FRAME, type Frame } from "../view/frame";
 import { compose } from "../view/picture";
 import { sharpest, type Sharpest } from "../view/radius";
+import { toothOf } from "../view/overlays";
 import { rangeOf, type Range } from "../view/range";
 import { Stage, type Cell, type Piece } from "../view/stage";
 import { Drafts } from "./drafts";
@@ -75,7 +76,7 @@ export class Studio {
     const settings: Settings = { ...remembered(), ...(start.quantity ? { quantity: start.quantity } : {}) };
     this.store = new Store({
       model: start.model, saved: start.model, source: start.source, patch: 0, selected: null, settings, compare: "off", kept: [], pins: [],
-      hover: null, canUndo: false, canRedo: false, moving: false, message: null,
+      hover: null, canUndo: false, canRedo: false, moving: false, message: null, opened: 1,
     });
     const { store } = this;
     this.stage = new Stage(this.canvas);
@@ -116,7 +117,7 @@ export class Studio {
       if (now.model.patches.some((patch, i) => patch.kind !== before.model.patches[i]?.kind) || now.model.patches.length !== before.model.patches.length) this.refit = true;
     }
     if (now.saved !== before.saved) this.keepDraft(0);
-    if (now.saved !== before.saved && now.source?.name !== before.source?.name) this.refit = now.canUndo ? this.refit : true;
+    if (now.opened !== before.opened) this.refit = true;
     const shownBefore = before.compare !== now.compare;
     if (now.hover !== before.hover && now.model === before.model && now.settings === before.settings) this.hud.refresh(now, this.frame, this.sharp);
     if (now.model !== before.model || now.settings !== before.settings || now.patch !== before.patch || shownBefore || now.kept !== before.kept || now.saved !== before.saved || now.moving !== before.moving || now.selected !== before.selected) this.plan(true);
@@ -171,7 +172,8 @@ export class Studio {
     else if (this.range) this.legend.real(q.key, this.range, state.model.unit, this.dark);
     else this.legend.classes(q.key, meshes.map((mesh) => mesh.values));
     this.stage.style(settings, this.range, this.dark, this.frame, state.patch);
-    shown.forEach(({ editable }, i) => this.decorate(this.stage.cells[i]!, state, editable));
+    const tooth = settings.combs === "off" ? 0 : toothOf(meshes, settings, this.frame);
+    shown.forEach(({ editable }, i) => this.decorate(this.stage.cells[i]!, state, editable, tooth));
     if (this.fitAfter) this.stage.fit(true, this.margin());
     this.fitAfter = false;
     this.sharp = settings.minRadius && !state.moving ? this.sharpestOf(shown) : [];
@@ -205,11 +207,12 @@ export class Studio {
     return side * side;
   }
 
-  private decorate(cell: Cell, state: State, editable: boolean): void {
+  private decorate(cell: Cell, state: State, editable: boolean, tooth: number): void {
     cell.pieces.forEach((piece, i) => {
       if (!piece.surface || !piece.patch) return;
-      if (piece.settings !== state.settings) piece.overlays.update(piece.mesh, state.settings, this.frame);
+      if (piece.settings !== state.settings || piece.tooth !== tooth) piece.overlays.update(piece.mesh, state.settings, this.frame, tooth);
       piece.settings = state.settings;
+      piece.tooth = tooth;
       const net = state.settings.net;
       const grips = net && editable && i === state.patch ? handles(piece.patch, piece.surface) : [];
       piece.overlays.net(net ? polylines(piece.patch, piece.surface) : [], grips, state.selected, this.frame);

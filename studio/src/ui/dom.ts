@@ -15,6 +15,7 @@ export function h<K extends keyof HTMLElementTagNameMap>(tag: K, props: Props = 
     if (name === "on") {
       for (const [event, act] of Object.entries(value as object)) element.addEventListener(event, act as EventListener);
     } else if (name === "class") element.className = String(value);
+    else if (name.startsWith("aria-") && typeof value === "boolean") element.setAttribute(name, String(value));
     else if (value === true) element.setAttribute(name, "");
     else if (value !== false && value !== null && value !== undefined) element.setAttribute(name, String(value));
   }

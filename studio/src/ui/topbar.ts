@@ -59,7 +59,7 @@ export class TopBar {
 
   refresh(state: State): void {
     if (!this.name.matches(":focus")) this.name.value = state.model.name;
-    this.name.style.width = `calc(${0.93 * Math.min(28, Math.max(6, this.name.value.length))}ch + 18px)`;
+    this.name.style.setProperty("--letters", String(Math.min(30, Math.max(6, this.name.value.length))));
     this.dirty.hidden = state.model === state.saved;
     this.undo.disabled = !state.canUndo;
     this.redo.disabled = !state.canRedo;

@@ -60,14 +60,14 @@ export class Overlays {
   }
 
   /** Redraw what follows from the surface's numbers. */
-  update(mesh: SurfaceMesh, settings: Settings, frame: Frame): void {
+  update(mesh: SurfaceMesh, settings: Settings, frame: Frame, tooth: number): void {
     const n = mesh.side;
     for (const name of Object.keys(STYLE) as Line[]) if (name !== "net") this.lines[name].begin();
     if (n > 1) {
       if (settings.directions) this.directions(mesh);
       if (settings.normals) this.normals(mesh);
-      if (settings.combs === "u" || settings.combs === "both") this.combs(mesh, frame, true, settings.combScale);
-      if (settings.combs === "v" || settings.combs === "both") this.combs(mesh, frame, false, settings.combScale);
+      if (settings.combs === "u" || settings.combs === "both") this.combs(mesh, true, tooth);
+      if (settings.combs === "v" || settings.combs === "both") this.combs(mesh, false, tooth);
       const { planes: s, stride } = mesh.grid;
       const sign = (plane: number, power: number) => (p: number) => {
         const value = s[plane * stride + p]!, bend = s[PLANE.curvedness * stride + p]!;
@@ -132,27 +132,19 @@ export class Overlays {
   }
 
   /** Combs of the normal curvature along seven iso-curves; teeth point away from the centre of curvature. */
-  private combs(mesh: SurfaceMesh, frame: Frame, alongU: boolean, scale: number): void {
-    const { planes: s, stride, size, nu: n } = mesh.grid;
+  private combs(mesh: SurfaceMesh, alongU: boolean, tooth: number): void {
+    const { planes: s, stride, nu: n } = mesh.grid;
     const teeth = alongU ? this.lines.teethU : this.lines.teethV, tips = alongU ? this.lines.combU : this.lines.combV;
-    const form = PLANE.forms + (alongU ? 0 : 2);
-    const bend = (p: number) => s[(form + 3) * stride + p]! / s[form * stride + p]!;
-    let longest = 0;
-    const curves = 7, every = Math.max(1, Math.round((n - 1) / 60));
+    const curves = COMBS, every = Math.max(1, Math.round((n - 1) / 60));
     const at = (curve: number, i: number) => {
       const fixed = Math.round((curve * (n - 1)) / (curves - 1));
       return alongU ? i * n + fixed : fixed * n + i;
     };
     for (let curve = 0; curve < curves; curve++) {
-      for (let i = 0; i < n; i += every) longest = Math.max(longest, Math.abs(bend(at(curve, i))) || 0);
-    }
-    if (!(longest * size > 1e-9)) return;
-    const factor = (0.22 * scale * size * frame.scale) / longest;
-    for (let curve = 0; curve < curves; curve++) {
       let before: number[] | null = null;
       for (let i = 0; i < n; i += every) {
         const p = at(curve, Math.min(i, n - 1));
-        const x = mesh.position.subarray(3 * p, 3 * p + 3), length = -factor * bend(p);
+        const x = mesh.position.subarray(3 * p, 3 * p + 3), length = -tooth * bendAlong(mesh, alongU, p);
         const tip = [0, 1, 2].map((c) => x[c]! + length * s[(PLANE.normal + c) * stride + p]!);
         if (tip.some(Number.isNaN)) {
           before = null;
@@ -164,6 +156,31 @@ export class Overlays {
       }
     }
   }
+}
+
+const COMBS = 7;
+
+/** Normal curvature along the iso-curve through a grid point, length⁻¹. */
+function bendAlong(mesh: SurfaceMesh, alongU: boolean, p: number): number {
+  const { planes: s, stride } = mesh.grid, form = PLANE.forms + (alongU ? 0 : 2);
+  return s[(form + 3) * stride + p]! / s[form * stride + p]!;
+}
+
+/** Scene length of a comb's tooth per curvature, common to all that is shown, so that combs can be compared. */
+export function toothOf(meshes: readonly SurfaceMesh[], settings: Settings, frame: Frame): number {
+  let longest = 0, size = 0;
+  for (const mesh of meshes) {
+    const n = mesh.grid.nu;
+    size = Math.max(size, mesh.grid.size);
+    for (let curve = 0; curve < COMBS; curve++) {
+      const fixed = Math.round((curve * (n - 1)) / (COMBS - 1));
+      for (let i = 0; i < n; i += 3) {
+        if (settings.combs !== "v") longest = Math.max(longest, Math.abs(bendAlong(mesh, true, i * n + fixed)) || 0);
+        if (settings.combs !== "u") longest = Math.max(longest, Math.abs(bendAlong(mesh, false, fixed * n + i)) || 0);
+      }
+    }
+  }
+  return longest * size > 1e-9 ? (0.22 * settings.combScale * size * frame.scale) / longest : 0;
 }
 
 /** The section plane in the scene, (a, b, c, d) of a x + b y + c z = d; `offset` runs over the surface's ball. */

@@ -24,6 +24,7 @@ export class Piece {
   frame: Frame | null = null;
   quantity = "";
   settings: Settings | null = null;
+  tooth = 0;
 }
 
 /** One viewport: its pieces and its place in the canvas, in CSS pixels from the top left. */
