@@ -18,7 +18,6 @@ CHAPTERS = {
         "ruled",
         "developable",
         "regression",
-        "nurbs",
         "Surface",
     ),
     "Reference surfaces": (
