@@ -8,7 +8,7 @@ from quintrig.compare import Variant
 from quintrig.extremes import Extreme
 from quintrig.quantity import BY_KEY
 from quintrig.report.facts import Facts, standard
-from quintrig.report.wording import listed, measure, number, pair, percent, prose
+from quintrig.report.wording import listed, measure, number, pair, percent, prose, span
 from quintrig.summary import Summary
 
 _FORMS = (
@@ -94,9 +94,7 @@ def _range(summary: Summary) -> Iterator[Markup]:
     if found.minimum.value == found.maximum.value:
         spread = Markup("is {} everywhere").format(measure(found.minimum.value, unit, 3))
     else:
-        spread = Markup("runs from {} to {}").format(
-            number(found.minimum.value, 3), measure(found.maximum.value, unit, 3)
-        )
+        spread = Markup("runs ") + span(found.minimum.value, found.maximum.value, unit)
     yield Markup("Its area is {}; the Gaussian curvature {}.").format(measured, spread)
 
 

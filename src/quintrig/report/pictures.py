@@ -9,12 +9,12 @@ from matplotlib.figure import Figure
 
 from quintrig.agreement import REASONS
 from quintrig.figure import (
-    Mark,
     Scene,
     code_map,
     comparison,
     flat_map,
     map_comparison,
+    map_panels,
     projections,
     space_picture,
     to_png_bytes,
@@ -26,7 +26,7 @@ from quintrig.report.wording import percent
 from quintrig.table import INVARIANTS
 
 _DPI = 144
-_WIDE, _HALF, _THIRD = 9.0, 4.6, 3.9  # inches
+_WIDE, _SPACE, _HALF, _MAP, _THIRD = 9.0, 5.6, 4.8, 4.2, 3.7  # inches
 
 REASON_COLOURS = (
     "#7d7d7d",
@@ -117,7 +117,7 @@ def _lead(facts: Facts) -> Picture:
         f"The surface in space with the labelled points A to I and its normal{inside}; "
         f"it measures {spans} {facts.unit} along x, y and z."
     )
-    return Picture("lead", alt, partial(space_picture, surface, None, scene, unit=facts.unit, width=6.4))
+    return Picture("lead", alt, partial(space_picture, surface, None, scene, unit=facts.unit, width=5.4))
 
 
 def _fields(facts: Facts, keys: Sequence[str]) -> Iterator[Picture]:
@@ -125,8 +125,8 @@ def _fields(facts: Facts, keys: Sequence[str]) -> Iterator[Picture]:
     marks = [mark for mark, _ in MARKS]
     for key in keys:
         name, told = BY_KEY[key].name, _told(facts, key)
-        space = partial(space_picture, surface, key, unit=facts.unit, thresholds=limits, width=_HALF)
-        plane = partial(flat_map, surface, key, marks=marks, unit=facts.unit, thresholds=limits, width=_HALF)
+        space = partial(space_picture, surface, key, unit=facts.unit, thresholds=limits, width=_SPACE)
+        plane = partial(flat_map, surface, key, marks=marks, unit=facts.unit, thresholds=limits, width=_MAP)
         yield Picture(f"{key}-space", f"The surface in space, coloured by {name}. {told}".strip(), space)
         yield Picture(f"{key}-map", f"Map of {name} over u and v. {told}".strip(), plane)
 
@@ -155,7 +155,7 @@ def _invariants(facts: Facts) -> Iterator[Picture]:
     for key in INVARIANTS:
         q = BY_KEY[key]
         alt = f"Map over u and v of the invariant {q.symbol}, {q.name}."
-        draw = partial(flat_map, surface, key, unit=facts.unit, thresholds=facts.thresholds, width=_THIRD)
+        draw = partial(map_panels, surface, [key], unit=facts.unit, thresholds=facts.thresholds, width=_THIRD)
         yield Picture(f"{key}-map", alt, draw)
 
 
@@ -168,12 +168,10 @@ def _agreement(facts: Facts) -> Picture:
     )
     names = [reason.name for reason in REASONS]
     return Picture(
-        "agreement", alt, partial(code_map, found.reason, names, REASON_COLOURS, marks=_plain_marks(), width=_HALF)
+        "agreement",
+        alt,
+        partial(code_map, found.reason, names, REASON_COLOURS, marks=[mark for mark, _ in MARKS], width=_HALF),
     )
-
-
-def _plain_marks() -> tuple[Mark, ...]:
-    return tuple(mark for mark, _ in MARKS)
 
 
 def _effect(facts: Facts) -> Iterator[Picture]:
@@ -183,8 +181,8 @@ def _effect(facts: Facts) -> Iterator[Picture]:
     surfaces, labels = [one.patch.surface for one in found], [one.label for one in found]
     for key in ("gaussian", "mean"):
         name = BY_KEY[key].name
-        space = partial(comparison, surfaces, labels, key, unit=facts.unit, columns=2, width=7.6)
-        plane = partial(map_comparison, surfaces, labels, key, unit=facts.unit, columns=2, width=6.0)
+        space = partial(comparison, surfaces, labels, key, unit=facts.unit, columns=2, width=6.4)
+        plane = partial(map_comparison, surfaces, labels, key, unit=facts.unit, columns=2, width=4.8)
         sets = ", ".join(labels)
         yield Picture(f"effect-{key}", f"{name} with the shape parameters {sets}, on one scale.", space)
         yield Picture(f"effect-{key}-map", f"Maps of {name} with the shape parameters {sets}, on one scale.", plane)

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from markupsafe import Markup, escape
 
@@ -10,8 +10,9 @@ from quintrig.agreement import REASONS, Agreement, CrossTable
 from quintrig.compare import Variant, intensities
 from quintrig.correspondence import LEVELS, UNDEFINED
 from quintrig.extremes import Extreme
+from quintrig.figure.palette import CLASS_COLOURS
 from quintrig.integrate import INTEGRALS
-from quintrig.quantity import BY_KEY, CLASSES, QUANTITIES, quantity
+from quintrig.quantity import BY_KEY, CLASSES, QUANTITIES
 from quintrig.report.facts import Facts
 from quintrig.report.kinds import Net, kind_of
 from quintrig.report.mathml import mathml
@@ -35,14 +36,14 @@ class Grid:
 
 
 CURVATURES = tuple(q.key for q in QUANTITIES if q.key in ("gaussian", "mean", "k1", "k2", "shape_index", "curvedness"))
-FORMS = ("E", "F", "G", "L", "M", "N", "direction1", "direction2")
 POINT_TABLES: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("Place and normal", ("normal",)),
     ("Curvature", CURVATURES),
     ("Types", CLASSES),
     ("The six invariants, in the metric of the horizontal plane", INVARIANTS),
     ("The six invariants, in the metric of the surface", tuple(f"{key}_surface" for key in INVARIANTS)),
-    ("Fundamental forms and principal directions", FORMS),
+    ("First and second fundamental form", ("E", "F", "G", "L", "M", "N")),
+    ("Principal directions", ("direction1", "direction2")),
 )
 """The tables of labelled points: title and keys; together they hold every quantity."""
 
@@ -50,25 +51,22 @@ POINT_TABLES: tuple[tuple[str, tuple[str, ...]], ...] = (
 def point_tables(table: Table, labels: Sequence[str]) -> tuple[Grid, ...]:
     """Split a table of every quantity at labelled points into parts that can be read."""
     by_key = {column.key: column for column in table.columns}
+    lead = [("point", [Markup("<b>{}</b>").format(label) for label in labels])]
     grids: list[Grid] = []
     for index, (title, keys) in enumerate(POINT_TABLES):
-        names = ["x", "y", "z"] if index == 0 else []
+        names = ["u", "v", *("xyz" if index == 0 else "")]
         for key in keys:
             names += [f"{key}_{axis}" for axis in "xyz"] if BY_KEY[key].components == 3 else [key]
-        columns = [by_key[name] if name in by_key else by_key["point"] for name in names]
-        grids.append(from_columns(title, columns, [("point", [Markup("<b>{}</b>").format(x) for x in labels])], table))
+        grids.append(from_columns(title, [by_key[name] for name in names], lead))
     return tuple(grids)
 
 
-def from_columns(
-    caption: str, columns: Sequence[Column], lead: Sequence[tuple[str, Sequence[Markup]]], table: Table
-) -> Grid:
-    """Return columns as a grid, after leading columns of words; u and v of the table follow the label."""
-    parameters = list(table.columns[: table.lead]) if table.lead == 2 else []
+def from_columns(caption: str, columns: Sequence[Column], lead: Sequence[tuple[str, Sequence[Markup]]]) -> Grid:
+    """Return columns as a grid, after leading columns of words."""
     heads = [prose(title) for title, _ in lead]
     cells: list[Sequence[Markup]] = [values for _, values in lead]
     words = [True] * len(lead)
-    for column in (*parameters, *columns):
+    for column in columns:
         if column.is_text:
             heads.append(prose(column.name))
             cells.append([escape(str(value)) for value in column.rounded])
@@ -99,7 +97,7 @@ def extremes_table(summary: Summary) -> Grid:
         mean = found.mean
         noise = 1e-12 * natural if math.isfinite(natural) else 0.0  # NaN where nothing is defined
         value = 0.0 if abs(mean.value) <= noise else mean.value
-        average = Markup("∞") if mean.status == "grows without bound" else measure(value, unit, 5)
+        average = Markup("∞") if mean.status == "grows without bound" else measure(value, unit, 4)
         rows.append(
             (
                 prose(f"{q.name} {q.symbol}"),
@@ -120,13 +118,15 @@ def extremes_table(summary: Summary) -> Grid:
         )
     )
     remarks = [
-        Markup("{}, {}: {}.").format(
-            prose(f"{quantity(key).name} {quantity(key).symbol}"), end, prose(extreme.describe())
-        )
+        Markup("{}, {}: {}.").format(prose(f"{BY_KEY[key].name} {BY_KEY[key].symbol}"), end, prose(extreme.describe()))
         for key, found in summary.extremes.items()
         for end, extreme in (("least", found.minimum), ("greatest", found.maximum))
-        if extreme.describe()
+        if extreme.status != "attained"
     ]
+    if any(not end.unique for found in summary.extremes.values() for end in (found.minimum, found.maximum)):
+        remarks.insert(
+            0, Markup("† taken at several places, of which this is the first in order of <i>u</i>, then <i>v</i>.")
+        )
     return Grid("Extremes and means", heads, tuple(rows), (True, False, True, False, True, False), tuple(remarks))
 
 
@@ -135,8 +135,8 @@ def _extreme(found: Extreme, unit: str, sign: str) -> tuple[Markup, Markup]:
         return number(float("nan")), Markup("")
     if found.status == "unbounded":
         return Markup(f"{sign}∞"), Markup("near {}").format(pair(found.u, found.v))
-    star = Markup("") if found.unique else Markup("<span title='taken at several places'>…</span>")
-    return measure(found.value, unit, 5), pair(found.u, found.v) + star
+    star = Markup("") if found.unique else Markup("\u202f†")
+    return measure(found.value, unit, 4), pair(found.u, found.v) + star
 
 
 def integrals_table(summary: Summary) -> Grid:
@@ -155,25 +155,42 @@ def integrals_table(summary: Summary) -> Grid:
     )
 
 
-def shares_table(summary: Summary) -> Grid:
-    """Return how much of the area is of each class, for every classification."""
-    rows = tuple(
-        (prose(BY_KEY[key].name if i == 0 else ""), escape(part.name), Markup(percent(part.share)))
+@dataclass(frozen=True)
+class Shares:
+    """How much of the area is of each class of one classification: name, colour, share 0 to 1, the share in words."""
+
+    title: str
+    rows: tuple[tuple[str, str, float, str], ...]
+
+
+def shares(summary: Summary) -> tuple[Shares, ...]:
+    """Return the shares of every classification."""
+    return tuple(
+        Shares(
+            BY_KEY[key].name,
+            tuple(
+                (part.name, CLASS_COLOURS[key][BY_KEY[key].classes.index(part.name)], part.share, percent(part.share))
+                for part in parts
+            ),
+        )
         for key, parts in summary.shares.items()
-        for i, part in enumerate(parts)
     )
-    heads = (Markup("classification"), Markup("class"), Markup("share of the area"))
-    return Grid("Classes", heads, rows, (True, True, False))
 
 
-def intensity_table(variants: Sequence[Variant]) -> Grid:
-    """Return the intensities of several sets of shape parameters."""
+def intensity_tables(variants: Sequence[Variant], own: tuple[float, ...]) -> tuple[Grid, Grid]:
+    """Return the intensities of several sets of shape parameters, curvatures and integrals; ``own`` is the model's."""
     table = intensities(variants)
-    first, *rest = table.columns
-    grid = from_columns(
-        "Intensities", rest, [("shape parameters", [prose(str(label)) for label in first.values])], table
+    labels = [
+        prose(one.label) + (Markup(' <span class="of">this model</span>') if one.shape == own else Markup(""))
+        for one in variants
+    ]
+    lead = [("shape parameters", labels)]
+    whole = {q.key for q in INTEGRALS}
+    first = from_columns(
+        "Least, greatest and mean curvature", [c for c in table.columns[1:] if c.key not in whole], lead
     )
-    return Grid(grid.caption, grid.heads, grid.rows, grid.words, tuple(prose(note) for note in table.notes))
+    second = from_columns("Integrals", [c for c in table.columns[1:] if c.key in whole], lead)
+    return first, replace(second, notes=tuple(prose(note) for note in table.notes))
 
 
 @dataclass(frozen=True)
@@ -207,10 +224,11 @@ def _cross(table: CrossTable) -> Cross:
     above = "" if (table.rows, table.columns) == ("hk_type", "shape_class") else ", seen from above"
     verdict = ", ".join(
         f"{words} on {percent(table.share(level))}"
-        for words, level in (("they agree", 1), ("neighbouring", 2), ("in conflict", 3))
-        if not math.isnan(table.share(level))
+        for words, level in (("agree", 1), ("neighbouring", 2), ("in conflict", 3))
+        if table.count(level)
     )
     heads = tuple(table.column_names[j] for j in columns)
+    verdict = verdict or "nowhere defined both"
     return Cross(BY_KEY[table.rows].name + above, BY_KEY[table.columns].name, heads, lines, verdict)
 
 

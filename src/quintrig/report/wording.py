@@ -14,8 +14,8 @@ _RAISED = re.compile(
     r"|\bn_(?P<part>[xyz])\b|\bd(?P<direction>[12])(?:_(?P<axis>[xyz]))?\b"
     r"|\^\((?P<power>\d/\d)\)"
     r"|(?P<order>&[lg]t;=)"
-    r"|(?P<letter>(?<![\w&./])[KHSCEFGLMNRuvnxyz](?!\w|\.\w|&#39;))"
-    r"|(?P<minus>(?<![\w.)\]²])-(?=[\d.]))"
+    r"|(?P<letter>(?<![\w&./])[KHSCEFGLMNRuvnxyz](?![A-Za-z0-9_]|\.\w|&#39;))"
+    r"|(?P<minus>(?<![\w.)\]²])-(?=[\d.])|(?<= )-(?= )|(?<=\()-(?=\)))|(?P<mark>ˢ)"
 )
 
 
@@ -49,6 +49,15 @@ def measure(value: float, unit: str, digits: int = 4) -> Markup:
     return number(value, digits) + (Markup("\u00a0") + escape(unit) if unit else Markup(""))
 
 
+def span(low: float, high: float, unit: str, digits: int = 3) -> Markup:
+    """Return a range in words, both ends with one power of ten: from -13.6 to 173, × 10⁻⁶ 1/mm²."""
+    power, texts = aligned((low, high), digits)
+    first, last = (escape(text.strip("\u2007\u2008")) for text in texts)
+    scale = Markup("\u202f×\u202f") + ten(power) if power else Markup("")
+    end = Markup("\u00a0") + escape(unit) if unit else Markup("")
+    return Markup("from {}{} to {}{}{}").format(first, scale, last, scale, end)
+
+
 def percent(share: float) -> str:
     """Return a share in whole percent, with decimals only where it is near to none or all."""
     hundred = 100.0 * share
@@ -62,7 +71,7 @@ def percent(share: float) -> str:
 
 def pair(u: float, v: float) -> Markup:
     """Return parameters such as (0.5, 1)."""
-    return Markup("({}, {})").format(*(_signed(f"{x + 0.0:.4g}") for x in (u, v)))
+    return Markup("({},\u00a0{})").format(*(_signed(f"{x + 0.0:.4g}") for x in (u, v)))
 
 
 def listed(parts: Sequence[str]) -> str:
@@ -82,7 +91,7 @@ def aligned(values: Sequence[float], digits: int = 5) -> tuple[int, tuple[str, .
     """
     sizes = [abs(value) for value in values if math.isfinite(value) and value != 0.0]
     largest = max(sizes, default=0.0)
-    power = 0 if not sizes or 0.01 <= largest < 1e5 else 3 * math.floor(math.log10(largest) / 3.0)
+    power = 0 if not sizes or 0.1 <= largest < 1e5 else 3 * math.floor(math.log10(largest) / 3.0)
     texts = [_decimal(value, power, digits) for value in values]
     longest = max((len(text.partition(".")[2]) for text in texts), default=0)
     return power, tuple(_padded(text, longest) for text in texts)
@@ -143,5 +152,5 @@ def _set(match: re.Match[str]) -> str:
     elif part["order"]:
         result = "≤" if part["order"] == "&lt;=" else "≥"
     else:
-        result = "−" if part["minus"] else f"<i>{part['letter']}</i>"
+        result = "−" if part["minus"] else "<sup>S</sup>" if part["mark"] else f"<i>{part['letter']}</i>"
     return result
