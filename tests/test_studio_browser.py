@@ -164,7 +164,7 @@ def test_a_slider_is_moved_undone_and_redone(context, served):
     assert shape_of(page)[2] == pytest.approx(before[2] - 0.05)
     page.keyboard.press("Control+Shift+z")
     assert shape_of(page)[2] == -3.25
-    assert page.locator(".dirty").is_visible()
+    page.locator(".dirty").wait_for(state="visible")
 
 
 def test_a_control_point_is_dragged_along_a_free_axis_only(context, served):
@@ -270,7 +270,7 @@ def test_saving_writes_the_file_and_a_changed_file_is_not_lost(context, served):
     assert quintrig.load(served.path).patches[0].shape == (1, 1, 0, -2)
     comments = [line for line in MODEL.read_text().splitlines() if line.startswith("#")]
     assert all(comment in served.path.read_text() for comment in comments)
-    assert not page.locator(".dirty").is_visible()
+    page.locator(".dirty").wait_for(state="hidden")
     served.path.write_text('kind = "torus"\n')
     page.get_by_label("zeta 2, number").fill("-1")
     page.keyboard.press("Enter")
@@ -279,7 +279,7 @@ def test_saving_writes_the_file_and_a_changed_file_is_not_lost(context, served):
     assert served.path.read_text() == 'kind = "torus"\n'
     page.keyboard.press("Control+s")
     page.get_by_role("button", name="Overwrite it").click()
-    page.get_by_text("Saved lid.toml").wait_for()
+    page.locator(".dirty").wait_for(state="hidden")
     assert quintrig.load(served.path).patches[0].shape == (1, 1, 0, -1)
 
 
