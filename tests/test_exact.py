@@ -192,3 +192,40 @@ def test_random_models_meet_exact_values(kind, scale):
         model["flip"] = bool(rng.random() < 0.5)
         regular += check_model(model, *parameters(rng, 5))
     assert regular >= 60
+
+
+# ---------------------------------------------------------------------------------------------- far from the origin
+
+
+def displaced(model, shift):
+    """Return the model moved by ``shift``; planes move by their offsets."""
+    result = dict(model)
+    for key in ("points", "section", "first", "second"):
+        if key in model:
+            result[key] = np.add(model[key], shift)
+    for key in ("planes", "bounds"):
+        if key in model:
+            planes = np.array(model[key])
+            result[key] = np.concatenate([planes[:, :3], planes[:, 3:] - planes[:, :3] @ shift[:, None]], axis=1)
+    return result
+
+
+@pytest.mark.parametrize("distance", [1e1, 1e3, 1e5])
+@pytest.mark.parametrize("kind", ["tensor", "swept", "ruled", "developable"])
+def test_digits_are_lost_in_proportion_to_the_distance_from_the_origin(kind, distance):
+    rng = np.random.default_rng([13, *kind.encode()])
+    shift = distance * np.array([1.0, -0.7, 0.4])
+    worst = 0.0
+    for _ in range(4):
+        model = displaced({"kind": kind, **RANDOM[kind](rng, 1.0), "shape": [0.5, -2.0, 1.0, 0.0]}, shift)
+        model["shape"] = model["shape"][: 2 if kind == "developable" else 4]
+        u, v = parameters(rng, 5)
+        surface = build(model)
+        sample = quintrig.analyse(surface, u, v)
+        for k in range(len(u)):
+            exact = oracle.values(model, u[k], v[k])
+            lean = float(exact["E"] * exact["G"]) ** 0.5 / float(exact["area"])
+            curved = max(float(exact["curvedness"]), 0.1 / sample.size) * lean**2
+            worst = max(worst, float(abs(oracle.number(sample["mean"][k]) - exact["mean"])) / curved)
+            worst = max(worst, float(abs(oracle.number(sample["gaussian"][k]) - exact["gaussian"])) / curved**2)
+    assert worst <= 1e-13 + 1e-14 * distance
