@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -122,9 +123,10 @@ def drawing(pattern: Pattern, title: str, unit: str, options: PatternOptions) ->
         if options.stock:
             corner = np.array([x, 0.0])
             lines.append(Line("SHEET", corner + room * np.array([[0, 0], [1, 0], [1, 1], [0, 1]]), True))
+        letters = _letters(moved.bends, height)
         for bend in moved.bends:
             lines.append(Line("BEND_UP" if bend.upward else "BEND_DOWN", bend.ends))
-            texts.append(_bend_text(bend, height))
+            texts.append(_bend_text(bend, letters))
         marks, words = _marks(moved, k, len(pieces), height)
         lines += marks
         texts += words
@@ -234,6 +236,16 @@ def _furthest(pattern: Pattern, start: float, room: Sequence[float]) -> float:
     return low
 
 
+def _letters(lines: Sequence[Bend], height: float) -> float:
+    """Return the height of the words at bend lines, small enough to stand between them."""
+    gaps = [height]
+    for one, other in pairwise(lines):
+        along = (other.ends[1] - other.ends[0]) / np.linalg.norm(other.ends[1] - other.ends[0])
+        step = other.ends.mean(axis=0) - one.ends.mean(axis=0)
+        gaps.append(float(abs(step[0] * along[1] - step[1] * along[0])))
+    return min(0.7 * height, 0.5 * min(gaps))
+
+
 def _bend_text(bend: Bend, height: float) -> Text:
     along = bend.ends[1] - bend.ends[0]
     angle = float(np.degrees(np.arctan2(along[1], along[0])))
@@ -243,9 +255,9 @@ def _bend_text(bend: Bend, height: float) -> Text:
     word = f"{'up' if bend.upward else 'down'} {bend.angle:.2f}°"
     return Text(
         "BEND_UP" if bend.upward else "BEND_DOWN",
-        bend.ends.mean(axis=0) + 0.75 * height * lift,
+        bend.ends.mean(axis=0) + 1.05 * height * lift,
         word,
-        0.7 * height,
+        height,
         angle,
         "middle",
     )
