@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
+from markupsafe import Markup
 
 from quintrig import __version__
 from quintrig.classify import Thresholds
@@ -24,6 +25,7 @@ from quintrig.report.mathml import mathml
 from quintrig.report.pictures import SHOWN, Image, overview, picture_count, pictures, render
 from quintrig.report.wording import measure, number, percent, prose
 from quintrig.signs import SIGN_TABLES
+from quintrig.studio import page as studio
 
 Progress = Callable[[str, int, int], None]
 """Called with what is being done, steps done and steps in all."""
@@ -32,6 +34,7 @@ DETAILED = 4
 """Models with more patches than this are told in brief: fewer pictures of each."""
 
 _LONGEST = 60_000  # characters of the model's own text that the page holds
+_LARGEST_VIEW = 2_000_000  # characters of a model that the interactive view is given
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,6 +106,7 @@ def _target(out: Path) -> Path:
 
 def _page(model: Model, chapters: list[Chapter], together: dict[str, Image], grid: int, thresholds: Thresholds) -> str:
     source = to_toml(model.to_dict())
+    live = len(source) <= _LARGEST_VIEW
     return (
         _environment()
         .get_template("page.html.j2")
@@ -119,6 +123,9 @@ def _page(model: Model, chapters: list[Chapter], together: dict[str, Image], gri
             shown=SHOWN,
             marks=MARKS,
             basis=[mathml(latex) for latex in kinds.BASIS],
+            viewer=Markup(studio.viewer(model)) if live else "",
+            code=Markup(studio.code()) if live else "",
+            policy=studio.policy(),
         )
     )
 

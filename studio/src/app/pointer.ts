@@ -25,6 +25,8 @@ export interface Surroundings {
   editable(cell: number): boolean;
   fit(): void;
   redraw(): void;
+  /** Whether the wheel zooms, rather than scrolling the page around. */
+  ownsWheel(): boolean;
 }
 
 export function listen(canvas: HTMLCanvasElement, around: Surroundings): void {
@@ -97,7 +99,10 @@ export function listen(canvas: HTMLCanvasElement, around: Surroundings): void {
     store.settle();
     if (event.type === "pointercancel" || done.far > 4 || done.kind !== "turn" || event.button !== 0) return;
     const place = stage.pick(done.x, done.y, store.state.settings, around.frame());
-    if (place) store.set({ hover: null, pins: [...store.state.pins, { patch: place.piece, u: rounded(place.u), v: rounded(place.v) }] });
+    if (place) {
+      const selected = place.piece === store.state.patch ? store.state.selected : null;
+      store.set({ hover: null, patch: place.piece, selected, pins: [...store.state.pins, { patch: place.piece, u: rounded(place.u), v: rounded(place.v) }] });
+    }
     else store.set({ selected: null });
   };
   canvas.addEventListener("pointerup", release);
@@ -110,6 +115,8 @@ export function listen(canvas: HTMLCanvasElement, around: Surroundings): void {
     around.fit();
   });
   canvas.addEventListener("wheel", (event) => {
+    // In a page among other things the wheel scrolls the page, until the picture was clicked.
+    if (!around.ownsWheel() && !event.ctrlKey) return;
     event.preventDefault();
     stage.orbit.zoom(Math.exp(Math.max(-60, Math.min(60, event.deltaY * (event.deltaMode ? 16 : 1))) * 0.0022));
     around.redraw();

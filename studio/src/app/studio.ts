@@ -94,7 +94,7 @@ export class Studio {
       this.inspector.element, this.status.element);
     container.append(this.root);
     this.drafts = new Drafts(host.place);
-    listen(this.canvas, { store, stage: this.stage, frame: () => this.frame, fit: () => this.fit(), editable: (cell) => this.shown()[cell]?.editable ?? false, redraw: () => this.plan() });
+    listen(this.canvas, { store, stage: this.stage, frame: () => this.frame, fit: () => this.fit(), editable: (cell) => this.shown()[cell]?.editable ?? false, redraw: () => this.plan(), ownsWheel: () => host.kind === "live" || this.canvas.matches(":focus") });
     this.root.addEventListener("keydown", (event) => {
       if (press(event, { store, stage: this.stage, files: this.files, frame: () => this.frame, fit: () => this.fit(), view: (name) => this.view(name), redraw: () => this.plan(), help: () => void showHelp(this.root) })) event.preventDefault();
     });
