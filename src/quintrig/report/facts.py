@@ -1,5 +1,6 @@
 """Everything that the page tells of one patch, computed once."""
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -34,6 +35,8 @@ MARKS: tuple[tuple[Mark, str], ...] = tuple(
     )
 )
 """The labelled points and what they are."""
+
+_NOISE = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,3 +99,9 @@ def _others(patch: Patch) -> tuple[Patch, ...]:
         return with_shapes(patch, standard_shapes(patch))
     except ModelError:  # a kind on which shape parameters do not act
         return ()
+
+
+def rounding(summary: Summary, key: str) -> float:
+    """Return the size at or below which a value of a quantity on this surface is only rounding of zero."""
+    natural = summary.extremes["curvedness"].mean.value ** max(-BY_KEY[key].power, 0)
+    return _NOISE * natural if math.isfinite(natural) else 0.0

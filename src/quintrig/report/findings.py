@@ -7,7 +7,7 @@ from markupsafe import Markup
 from quintrig.compare import Variant
 from quintrig.extremes import Extreme
 from quintrig.quantity import BY_KEY
-from quintrig.report.facts import Facts, standard
+from quintrig.report.facts import Facts, rounding, standard
 from quintrig.report.wording import listed, measure, number, pair, percent, prose, span
 from quintrig.summary import Summary
 
@@ -77,25 +77,32 @@ def _bend(summary: Summary) -> Iterator[Markup]:
         yield Markup("Its curvature grows without bound near {}.").format(place)
         return
     side = "towards the normal" if end.value > 0 else "away from the normal"
+    radius = measure(1.0 / abs(end.value), summary.unit, 3)
+    bends = summary.extremes["curvedness"]
+    if bends.maximum.value - bends.minimum.value <= 1e-9 * bends.maximum.value:
+        yield Markup("It bends alike everywhere, {}, with a tightest radius of {}.").format(side, radius)
+        return
     others = "" if end.unique else ", among other places"
     yield Markup("The tightest bend has a radius of {}, at {}{}; there the surface curves {}.").format(
-        measure(1.0 / abs(end.value), summary.unit, 3), place, others, side
+        radius, place, others, side
     )
 
 
 def _range(summary: Summary) -> Iterator[Markup]:
     found = summary.extremes["gaussian"]
-    ends = (found.minimum, found.maximum)
     area = summary.integrals.area
-    if any(end.status in ("undefined", "unbounded") for end in ends) or not area.converged:
+    if not area.converged:
+        return
+    sentence = Markup("Its area is {}").format(measure(area.value, f"{summary.unit}²" if summary.unit else "", 4))
+    noise = rounding(summary, "gaussian")
+    low, high = (0.0 if abs(end.value) <= noise else end.value for end in (found.minimum, found.maximum))
+    if {found.minimum.status, found.maximum.status} & {"undefined", "unbounded"} or low == high == 0.0:
+        yield sentence + "."
         return
     unit = BY_KEY["gaussian"].unit(summary.unit)
-    measured = measure(area.value, f"{summary.unit}²" if summary.unit else "", 4)
-    if found.minimum.value == found.maximum.value:
-        spread = Markup("is {} everywhere").format(measure(found.minimum.value, unit, 3))
-    else:
-        spread = Markup("runs ") + span(found.minimum.value, found.maximum.value, unit)
-    yield Markup("Its area is {}; the Gaussian curvature {}.").format(measured, spread)
+    alike = high - low <= 1e-9 * max(abs(high), abs(low))
+    spread = Markup("is {} everywhere").format(measure(high, unit, 3)) if alike else "runs " + span(low, high, unit)
+    yield Markup("{}; the Gaussian curvature {}.").format(sentence, spread)
 
 
 def _methods(facts: Facts) -> Iterator[Markup]:
@@ -103,6 +110,8 @@ def _methods(facts: Facts) -> Iterator[Markup]:
     conflict = found.share("conflict")
     words = f"HK types, shape classes and invariants say the same on {percent(found.share('agree'))} of the area"
     words += f" and contradict each other on {percent(conflict)}" if conflict else " and nowhere contradict each other"
+    if found.share("agree") >= _ALL:
+        words = "HK types, shape classes and invariants say the same everywhere"
     yield prose(words + ".")
 
 

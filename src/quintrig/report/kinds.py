@@ -168,13 +168,16 @@ def shape_text(patch: Patch) -> Markup:
     return Markup(", ").join(parts)
 
 
-def parameters(patch: Patch) -> tuple[tuple[str, float], ...]:
-    """Return the numbers other than control points and shape parameters that the file gives, with what they are."""
-    found: list[tuple[str, float]] = []
+def parameters(patch: Patch) -> tuple[tuple[str, float, bool], ...]:
+    """Return the numbers other than control points and shape parameters that the file gives.
+
+    Each comes with what it is, before it, and whether it is a length, after it.
+    """
+    found: list[tuple[str, float, bool]] = []
     for name, field in type(patch.definition).model_fields.items():
         value: Any = getattr(patch.definition, name)
         if isinstance(value, (int, float)) and not isinstance(value, bool):
-            found.append((field.description or name, float(value)))
+            found.append((field.description or name, float(value), name != "scale"))
     return tuple(found)
 
 

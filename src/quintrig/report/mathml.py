@@ -32,6 +32,9 @@ _OPERATORS = {
     "prime": "′",
 }
 _FUNCTIONS = ("cos", "sin", "cosh", "sinh", "tan", "min", "max", "det")
+SPACE = "\u00a0"
+"""Kept at the ends of a text, where MathML drops others."""
+
 _SPACES = {r"\,": "0.17em", r"\;": "0.28em", r"\ ": "0.3em", r"\!": "0em", r"\quad": "1em", r"\qquad": "2em"}
 
 
@@ -104,7 +107,8 @@ def _plain(token: str) -> str:
         return f"<mn>{token}</mn>"
     if token.isalpha():
         return f"<mi>{token}</mi>"
-    return f"<mo>{'−' if token == '-' else escape(token)}</mo>"
+    rigid = ' stretchy="false"' if token in "()|[]" else ""
+    return f"<mo{rigid}>{'−' if token == '-' else escape(token)}</mo>"
 
 
 def _command(name: str, tokens: list[str], texts: list[str]) -> str:
@@ -126,7 +130,7 @@ def _command(name: str, tokens: list[str], texts: list[str]) -> str:
     elif name == "mathrm":
         result = f'<mi mathvariant="normal">{escape(_letters(tokens))}</mi>'
     elif name in ("mbox", "text"):
-        result = f"<mtext>{escape(texts[int(_letters(tokens))])}</mtext>"
+        result = f"<mtext>{escape(texts[int(_letters(tokens))].replace(' ', SPACE))}</mtext>"
     else:
         raise ValueError(f"formula: expected a known command, found \\{name}")
     return result

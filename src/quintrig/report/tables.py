@@ -1,6 +1,5 @@
 """Tables of the page: heads with symbols and units, columns of numbers whose decimal points align."""
 
-import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
@@ -13,7 +12,7 @@ from quintrig.extremes import Extreme
 from quintrig.figure.palette import CLASS_COLOURS
 from quintrig.integrate import INTEGRALS
 from quintrig.quantity import BY_KEY, CLASSES, QUANTITIES
-from quintrig.report.facts import Facts
+from quintrig.report.facts import Facts, rounding
 from quintrig.report.kinds import Net, kind_of
 from quintrig.report.mathml import mathml
 from quintrig.report.wording import aligned, measure, number, pair, percent, prose, ten
@@ -93,16 +92,14 @@ def extremes_table(summary: Summary) -> Grid:
     for key, found in summary.extremes.items():
         q = BY_KEY[key]
         unit = q.unit(summary.unit)
-        natural = summary.extremes["curvedness"].mean.value ** max(-q.power, 0)
-        mean = found.mean
-        noise = 1e-12 * natural if math.isfinite(natural) else 0.0  # NaN where nothing is defined
+        mean, noise = found.mean, rounding(summary, key)
         value = 0.0 if abs(mean.value) <= noise else mean.value
         average = Markup("∞") if mean.status == "grows without bound" else measure(value, unit, 4)
         rows.append(
             (
                 prose(f"{q.name} {q.symbol}"),
-                *_extreme(found.minimum, unit, "−"),
-                *_extreme(found.maximum, unit, ""),
+                *_extreme(found.minimum, unit, "−", noise),
+                *_extreme(found.maximum, unit, "", noise),
                 average,
             )
         )
@@ -130,13 +127,13 @@ def extremes_table(summary: Summary) -> Grid:
     return Grid("Extremes and means", heads, tuple(rows), (True, False, True, False, True, False), tuple(remarks))
 
 
-def _extreme(found: Extreme, unit: str, sign: str) -> tuple[Markup, Markup]:
+def _extreme(found: Extreme, unit: str, sign: str, noise: float) -> tuple[Markup, Markup]:
     if found.status == "undefined":
         return number(float("nan")), Markup("")
     if found.status == "unbounded":
         return Markup(f"{sign}∞"), Markup("near {}").format(pair(found.u, found.v))
     star = Markup("") if found.unique else Markup("\u202f†")
-    return measure(found.value, unit, 4), pair(found.u, found.v) + star
+    return measure(0.0 if abs(found.value) <= noise else found.value, unit, 4), pair(found.u, found.v) + star
 
 
 def integrals_table(summary: Summary) -> Grid:
@@ -267,20 +264,19 @@ def patches_table(every: Sequence[Facts]) -> Grid:
     for one in every:
         summary = one.summary
         common = summary.shares["hk_type"][0]
-        gaussian, bend = summary.extremes["gaussian"], summary.integrals.bending
+        gaussian, floor = summary.extremes["gaussian"], rounding(summary, "gaussian")
         unit = BY_KEY["gaussian"].unit(one.unit)
         rows.append(
             (
                 escape(one.patch.name),
                 escape(kind_of(one.patch).title),
                 measure(summary.integrals.area.value, f"{one.unit}²" if one.unit else ""),
-                _extreme(gaussian.minimum, unit, "−")[0],
-                _extreme(gaussian.maximum, unit, "")[0],
-                Markup("∞") if bend.status == "grows without bound" else number(bend.value),
+                _extreme(gaussian.minimum, unit, "−", floor)[0],
+                _extreme(gaussian.maximum, unit, "", floor)[0],
                 escape(f"{common.name}, {percent(common.share)}"),
                 escape(str(len(summary.warnings) or "none")),
             )
         )
-    names = ("patch", "kind", "area", "least K", "greatest K", "bending energy", "most common HK type", "warnings")
-    words = (True, True, False, False, False, False, True, False)
+    names = ("patch", "kind", "area", "least K", "greatest K", "most common HK type", "warnings")
+    words = (True, True, False, False, False, True, False)
     return Grid("Patches", tuple(prose(name) for name in names), tuple(rows), words)
