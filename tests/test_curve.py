@@ -171,6 +171,33 @@ def test_length_scales_and_adds_up():
     assert chords <= whole <= np.linalg.norm(np.diff(curve.points, axis=0), axis=1).sum()
 
 
+def test_length_of_a_curve_that_turns_back_on_a_line():
+    """The length is the sum of the ways between the turning points, where the speed has a corner."""
+    way = np.array([0.0, 3.0, -1.3, 2.0, 0.2, 1.0])
+    curve = Curve(np.outer(way, [1.0, 2.0, 2.0]), 0.3, -0.5)
+    line = Curve(np.outer(way, [1.0, 0.0]), 0.3, -0.5)
+    t = np.linspace(0, 1, 2001)
+    speed = line.derivatives(t, 1)[1, :, 0]
+    turns = [0.0]
+    for k in np.flatnonzero(speed[1:] * speed[:-1] < 0):
+        low, high = t[k], t[k + 1]
+        for _ in range(60):
+            middle = (low + high) / 2
+            rising = line.derivatives(middle, 1)[1, 0] * speed[k] > 0
+            low, high = (middle, high) if rising else (low, middle)
+        turns.append(low)
+    ways = np.abs(np.diff(line([*turns, 1.0])[:, 0]))
+    assert len(ways) >= 3
+    assert curve.length() == pytest.approx(3 * ways.sum(), rel=1e-12)
+
+
+def test_length_to_any_tolerance():
+    curve = Curve(arch(), 1.0, -4.0)
+    best = curve.length(tolerance=1e-300)
+    for tolerance in (1e-15, 1e-12, 1e-6, 1e-2):
+        assert curve.length(tolerance=tolerance) == pytest.approx(best, rel=max(tolerance, 1e-14))
+
+
 @pytest.mark.parametrize("points", [PARABOLA.points, arch()])
 def test_comb_stands_on_the_outside_with_the_length_of_the_curvature(points):
     curve = Curve(points, basis="bernstein")

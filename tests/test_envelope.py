@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 import oracle
 import quintrig
-from catalogue import ACROSS, CALM, CUSPED, LEVEL, PAIRS, TILTED
+from catalogue import ACROSS, CALM, CUSPED, LEVEL, PAIRS, SURFACES, TILTED
 from quintrig.basis import Trigonometric
 
 STRIPS = {
@@ -180,6 +180,17 @@ def test_regression_of_a_ruled_cone_is_its_apex_and_of_a_cylinder_at_infinity():
     cylinder = quintrig.ruled(base, base + apex)
     assert np.abs(quintrig.regression(cylinder).v).min() > 1e12
     assert quintrig.regression(cylinder).intervals == ()
+
+
+@pytest.mark.parametrize("name", ["ruled cone", "ruled (-4.0, -4.0, -4.0, -4.0)", "developable standing still"])
+def test_a_ruling_that_stands_still_is_no_edge_of_regression(name):
+    """At an end with shape parameter -4 all of the ruling is singular; the edge crosses none of these strips."""
+    strip = SURFACES[name].surface()
+    assert quintrig.analyse(strip, [[0.0], [1.0]], [[0.2, 0.8]]).singular.any()
+    found = quintrig.regression(strip)
+    assert found.intervals == ()
+    assert not found.inside.any()
+    assert np.isnan(found.v).sum() in (1, 2)
 
 
 def test_regression_is_of_strips_only():

@@ -220,7 +220,7 @@ OTHER = {
     "order of a curve": (lambda _: Curve(arch()).derivatives(0.5, -2), "order: expected", "-2"),
     "degree": (lambda _: Bernstein(-1), "degree: expected a whole number of at least 0", "-1"),
     "half a degree": (lambda _: Bernstein(2.5), "degree: expected", "2.5"),
-    "tolerance": (lambda _: Curve(arch()).length(tolerance=-1.0), "tolerance"),
+    "tolerance": (lambda _: Curve(arch()).length(tolerance=0.0), "tolerance: expected a number greater than 0"),
     "comb": (lambda _: Curve(arch()).comb(0.5, "long"), "scale: expected real numbers", "text"),
     "comb of nan": (lambda _: Curve(arch()).comb(0.5, NAN), "scale: expected a finite number"),
     "signed in space": (lambda _: Curve(arch()).signed_curvature(0.5), "plane curve"),

@@ -125,13 +125,16 @@ def regression(surface: Surface, samples: int = 513) -> Regression:
     """Locate the edge of regression of a ruled developable surface; ValueError for a blend that is not 1 - v, v.
 
     On each ruling of a developable S_u x S_v is linear in v along one fixed normal, so it vanishes once:
-    at v = j_A / (j_A - j_B), with j the component at the two boundaries.
+    at v = j_A / (j_A - j_B), with j the component at the two boundaries; NaN where the whole ruling is singular.
     """
     if surface.blend != Bernstein(1):
         raise ValueError("regression: expected a surface with straight rulings in v")
     u = np.linspace(0.0, 1.0, samples)
     first, second = _jacobians(surface, u)
-    inside = first * second <= 0.0
+    size = np.maximum(np.abs(first), np.abs(second))
+    # Where both vanish the whole ruling is singular, as at an end with shape parameter -4: no edge crosses there.
+    moves = size > 1e-12 * np.nanmedian(size)
+    inside = (first * second <= 0.0) & moves
     intervals: list[tuple[float, float]] = []
     edges = np.flatnonzero(np.diff(np.concatenate([[False], inside, [False]]).astype(np.int8)))
     for start, end in zip(edges[::2], edges[1::2], strict=True):
@@ -139,7 +142,7 @@ def regression(surface: Surface, samples: int = 513) -> Regression:
         high = u[-1] if end == len(u) else _crossing(surface, float(u[end]), float(u[end - 1]))
         intervals.append((float(low), float(high)))
     with np.errstate(divide="ignore", invalid="ignore"):
-        v = first / (first - second)
+        v = np.where(moves, first / (first - second), np.nan)
     return Regression(u, v, inside, tuple(intervals))
 
 
