@@ -70,6 +70,7 @@ export class Studio {
   private cost = 0;
   private refit = true;
   private fitAfter = false;
+  private box = { low: [0, 0, 0], high: [1, 1, 1] };
   private draftTimer = 0;
 
   constructor(private readonly container: HTMLElement, private readonly host: Host, start: Start) {
@@ -118,6 +119,7 @@ export class Studio {
     }
     if (now.saved !== before.saved) this.keepDraft(0);
     if (now.opened !== before.opened) this.refit = true;
+    if (now.settings.sectionAxis !== before.settings.sectionAxis) this.placeSection();
     const shownBefore = before.compare !== now.compare;
     if (now.hover !== before.hover && now.model === before.model && now.settings === before.settings) this.hud.refresh(now, this.frame, this.sharp);
     if (now.model !== before.model || now.settings !== before.settings || now.patch !== before.patch || shownBefore || now.kept !== before.kept || now.saved !== before.saved || now.moving !== before.moving || now.selected !== before.selected) this.plan(true);
@@ -283,13 +285,18 @@ export class Studio {
     }
     if (!(low[0]! <= high[0]!)) return;
     this.frame = frameOf(low, high);
-    const axis = { x: 0, y: 1, z: 2 }[this.store.state.settings.sectionAxis];
-    this.inspector.sectionRange(Math.min(...low), Math.max(...high));
-    const at = this.store.state.settings.sectionAt;
-    if (!(at >= low[axis]! && at <= high[axis]!)) this.store.setting({ sectionAt: Number(this.frame.centre[axis]!.toPrecision(4)) });
+    this.box = { low, high };
+    this.placeSection();
     const step = 10 ** Math.round(Math.log10(Math.max(2 / this.frame.scale, 1e-30) / 100));
     this.store.setting({ snapStep: step });
     this.fitAfter = true;
+  }
+
+  /** Let the section plane run over the surface on its axis, and stand in the middle. */
+  private placeSection(): void {
+    const axis = { x: 0, y: 1, z: 2 }[this.store.state.settings.sectionAxis];
+    this.inspector.sectionRange(this.box.low[axis]!, this.box.high[axis]!);
+    this.store.setting({ sectionAt: Number(this.frame.centre[axis]!.toPrecision(4)) });
   }
 
   /** Width of the strip that the legend covers, in CSS pixels. */

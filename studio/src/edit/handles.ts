@@ -92,10 +92,13 @@ export function polylines(patch: Patch, surface: Surface): Vec[][] {
 /** Drop the digits that dragging invents: twelve significant ones are kept. */
 const tidy = (x: number): number => Number(x.toPrecision(12)) + 0;
 
+/** An index in subscript digits. */
+const lowered = (index: number): string => String(index).replace(/\d/g, (c) => "₀₁₂₃₄₅₆₇₈₉"[Number(c)]!);
+
 function net(rows: readonly (readonly Vec[])[]): Handle[] {
   if (rows.length * (rows[0]?.length ?? 0) > LARGEST_NET) return [];
   return rows.flatMap((row, i) => row.map((position, j) => ({
-    id: `points[${i}][${j}]`, key: "points", index: [i, j], label: `P${i}${j}`, position, free: ALL, tint: BLUE,
+    id: `points[${i}][${j}]`, key: "points", index: [i, j], label: `P${lowered(i)}${i > 9 || j > 9 ? "," : ""}${lowered(j)}`, position, free: ALL, tint: BLUE,
   })));
 }
 

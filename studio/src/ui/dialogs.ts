@@ -30,6 +30,7 @@ export function ask<T extends string>(root: HTMLElement, title: string, body: re
     dialog.append(form);
     root.append(dialog);
     dialog.showModal();
+    (form.querySelector<HTMLElement>("input") ?? form.querySelector<HTMLElement>(".primary"))?.focus();
   });
 }
 

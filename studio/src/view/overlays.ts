@@ -41,6 +41,8 @@ const RELATIVE = 1e-6; // of the curvedness: below it K and H count as zero, as 
 export class Overlays {
   readonly group = new Group();
   readonly points = new Points();
+  /** Points of the drawn control net in the scene. */
+  netPoints: (readonly number[])[] = [];
   private readonly lines = Object.fromEntries(
     (Object.keys(STYLE) as Line[]).map((name) => [name, new Lines(STYLE[name].light, STYLE[name].width, STYLE[name].opacity)]),
   ) as Record<Line, Lines>;
@@ -87,8 +89,10 @@ export class Overlays {
   net(polylines: readonly (readonly (readonly number[])[])[], handles: readonly Handle[], selected: string | null, frame: Frame): void {
     const { net } = this.lines;
     net.begin();
+    this.netPoints = [];
     for (const line of polylines) {
       const scene = line.map((p) => toScene(frame, p));
+      this.netPoints.push(...scene);
       for (let i = 0; i + 1 < scene.length; i++) net.join(scene[i]!, scene[i + 1]!);
     }
     net.end();

@@ -221,16 +221,18 @@ export class Stage {
     for (let round = 0; round < 6; round++) {
       const camera = trial.camera(aspect);
       let [left, most, bottom, top] = [Infinity, -Infinity, Infinity, -Infinity];
+      const take = (x: number, y: number, z: number) => {
+        p.set(x, y, z).project(camera);
+        left = Math.min(left, p.x);
+        most = Math.max(most, p.x);
+        bottom = Math.min(bottom, p.y);
+        top = Math.max(top, p.y);
+      };
       for (const { pieces } of this.cells) {
-        for (const { mesh } of pieces) {
+        for (const { mesh, overlays } of pieces) {
           const x = mesh.position, step = 3 * Math.max(1, Math.floor(mesh.side / 24));
-          for (let at = 0; at + 2 < x.length; at += step) {
-            p.set(x[at]!, x[at + 1]!, x[at + 2]!).project(camera);
-            left = Math.min(left, p.x);
-            most = Math.max(most, p.x);
-            bottom = Math.min(bottom, p.y);
-            top = Math.max(top, p.y);
-          }
+          for (let at = 0; at + 2 < x.length; at += step) take(x[at]!, x[at + 1]!, x[at + 2]!);
+          for (const point of overlays.netPoints) take(point[0]!, point[1]!, point[2]!);
         }
       }
       if (!(most >= left)) break;
