@@ -1,4 +1,4 @@
-"""``python -m bench`` (``make bench``): every figure a ratio measured in this run."""
+"""``python -m bench`` (``make bench``): every figure a ratio measured in this run, as Markdown tables."""
 
 import os
 
@@ -7,16 +7,38 @@ for _name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
     os.environ.setdefault(_name, "1")
 
 import argparse  # noqa: E402
+import platform  # noqa: E402
+from importlib.metadata import version  # noqa: E402
+from pathlib import Path  # noqa: E402
 
-from bench import accuracy, speed  # noqa: E402
+from bench import accuracy, peers, speed, startup, sweeps  # noqa: E402
+
+PARTS = {"accuracy": accuracy, "speed": speed, "peers": peers, "sweeps": sweeps, "startup": startup}
+
+
+def machine() -> str:
+    """Return in words what this is measured on."""
+    info = Path("/proc/cpuinfo")
+    lines = info.read_text().splitlines() if info.exists() else []
+    names = [line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")]
+    packages = ", ".join(f"{name} {version(name)}" for name in ("numpy", "numba"))
+    processor = names[0] if names else platform.machine()
+    return f"{processor}, {os.cpu_count()} cores, Python {platform.python_version()}, {packages}"
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--quick", action="store_true", help="fewer rounds and smaller grids")
-    quick = parser.parse_args().quick
-    accuracy.report()
-    speed.report(quick)
+    parser.add_argument("parts", nargs="*", default=[*PARTS], metavar="PART", help=f"some of {', '.join(PARTS)}")
+    options = parser.parse_args()
+    unknown = [name for name in options.parts if name not in PARTS]
+    if unknown:
+        parser.error(f"unknown part {unknown[0]!r}; there are {', '.join(PARTS)}")
+    print(
+        f"Measured on {machine()}.\nMedians of several rounds, ways in turn; spread is (longest - shortest) / median.\n"
+    )
+    for name in options.parts:
+        PARTS[name].report(options.quick)
 
 
 if __name__ == "__main__":

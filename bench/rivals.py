@@ -5,22 +5,26 @@ import numpy as np
 from quintrig.basis import Trigonometric
 
 
-def row_blocks(net, u, v, shape, height, gaussian, mean):
-    """K and H on a grid, ``height`` rows of u at a time, so that every temporary stays in the cache."""
-    rows = np.einsum("pui,ijx->puxj", Trigonometric(*shape[:2]).derivatives(u, 2), net)
-    blend = np.ascontiguousarray(Trigonometric(*shape[2:]).derivatives(v, 2).transpose(0, 2, 1))
+def mixed_partials(net, u, v, shape, height, point=False, basis=Trigonometric):
+    """Yield the first row and S_u, S_v, S_uu, S_uv, S_vv, each (3, rows, nv), ``height`` rows at a time; S too if asked."""
+    orders = ((1, 0), (0, 1), (2, 0), (1, 1), (0, 2))
+    rows = np.einsum("pui,ijx->puxj", basis(*shape[:2]).derivatives(u, 2), net)
+    blend = np.ascontiguousarray(basis(*shape[2:]).derivatives(v, 2).transpose(0, 2, 1))
     for start in range(0, len(u), height):
         part = np.ascontiguousarray(rows[:, start : start + height])
         n, x = part.shape[1:3]
+        products = [
+            (part[p].reshape(n * x, -1) @ blend[q]).reshape(n, x, -1).transpose(1, 0, 2)
+            for p, q in (((0, 0), *orders) if point else orders)
+        ]
+        yield start, products
 
-        def mixed(p, q, part=part, n=n, x=x):
-            return (part[p].reshape(n * x, -1) @ blend[q]).reshape(n, x, -1)
 
-        _curvature(
-            *(mixed(p, q).transpose(1, 0, 2) for p, q in ((1, 0), (0, 1), (2, 0), (1, 1), (0, 2))),
-            gaussian[start : start + height],
-            mean[start : start + height],
-        )
+def row_blocks(net, u, v, shape, height, gaussian, mean, basis=Trigonometric):
+    """K and H on a grid, ``height`` rows of u at a time, so that every temporary stays in the cache."""
+    for start, partials in mixed_partials(net, u, v, shape, height, basis=basis):
+        part = slice(start, start + height)
+        curvature(*partials, gaussian[part], mean[part])
 
 
 def whole_grid(net, u, v, shape, gaussian, mean):
@@ -38,7 +42,7 @@ def scattered(net, u, v, shape, piece, gaussian, mean):
         def mixed(p, q, columns=columns, g=g):
             return np.ascontiguousarray(np.einsum("njx,nj->xn", columns[p], g[q]))
 
-        _curvature(
+        curvature(
             *(mixed(p, q) for p, q in ((1, 0), (0, 1), (2, 0), (1, 1), (0, 2))),
             gaussian[start : start + piece],
             mean[start : start + piece],
@@ -82,7 +86,7 @@ def _put(out, k, value, slope, bend, x1, x2):
     out[2, :, k] = bend * x1 * x1 + slope * x2
 
 
-def _curvature(su, sv, suu, suv, svv, gaussian, mean):
+def curvature(su, sv, suu, suv, svv, gaussian, mean):
     """The formulas of ``quintrig.curvature`` on arrays with the coordinate first."""
     e = su[0] * su[0] + su[1] * su[1] + su[2] * su[2]
     f = su[0] * sv[0] + su[1] * sv[1] + su[2] * sv[2]

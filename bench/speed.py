@@ -1,12 +1,13 @@
-"""Speed of the compiled driver against the same formulas in NumPy, one thread unless said otherwise."""
+"""Speed of the compiled drivers against the same formulas in NumPy, one thread unless said otherwise."""
 
-import platform
+import math
 
 import numpy as np
 
 import quintrig
-from bench import rivals
-from bench.timing import Timing, race, ratio
+from bench import every, rivals
+from bench.timing import HEAD, compared, fastest, race, short, table
+from quintrig.stream import analyse_blocks
 
 KH = ("gaussian", "mean")
 SHAPE = (1.0, 0.0, -2.0, -3.0)
@@ -18,47 +19,63 @@ def wavy_net() -> np.ndarray:
     return np.stack([x + 0.1 * y, y - 0.05 * x, np.sin(0.7 * x) * np.cos(0.5 * y) * 2.0], axis=-1)
 
 
-def line(name: str, timing: Timing, points: int, against: Timing | None = None) -> None:
-    """Print one row: nanoseconds a point, spread, ratio with its range."""
-    nanoseconds = timing.median / points * 1e9
-    text = f"| {name:44} | {nanoseconds:9.1f} | {timing.spread:6.0%} |"
-    if against is not None:
-        middle, low, high = ratio(against, timing)
-        text += f" {middle:5.1f} ({low:.1f} to {high:.1f}) |"
-    else:
-        text += f" {'1':>5} {'':14} |"
-    print(text)
-
-
-def heading(title: str) -> None:
-    """Print the head of a table."""
-    print(f"{title}\n")
-    print(f"| {'way':44} | ns/point  | spread | times as fast       |")
-    print(f"|{'-' * 46}|{'-' * 10}:|{'-' * 7}:|{'-' * 21}|")
-
-
 def grids(count: int, rounds: int) -> None:
     """K and H on a grid."""
     surface = quintrig.tensor(wavy_net(), SHAPE)
     net, (u, v) = wavy_net(), quintrig.grid(count, count)
     out = {key: np.empty((count, count)) for key in KH}
-    planes = (out["gaussian"], out["mean"])
+
+    def blocks(height, fresh=False):
+        planes = [np.empty((count, count)) for _ in KH] if fresh else out.values()
+        rivals.row_blocks(net, u[:, 0], v[0], SHAPE, height, *planes)
+
     # The best height of the NumPy blocks is looked for, not assumed.
-    heights = {h: lambda h=h: rivals.row_blocks(net, u[:, 0], v[0], SHAPE, h, *planes) for h in (2, 4, 8, 16, 32)}
-    best = min(race(heights, 3).items(), key=lambda item: item[1].median)[0]
-    ways = {
-        f"NumPy in blocks of {best} rows": heights[best],
-        "NumPy, whole grid": lambda: rivals.whole_grid(net, u[:, 0], v[0], SHAPE, *planes),
-        "quintrig, fresh arrays": lambda: quintrig.analyse(surface, u, v, KH, threads=1),
-        "quintrig, arrays handed in": lambda: quintrig.analyse(surface, u, v, KH, threads=1, out=out),
-        "quintrig, arrays handed in, two threads": lambda: quintrig.analyse(surface, u, v, KH, threads=2, out=out),
-    }
-    times = race(ways, rounds)
-    rival = times[f"NumPy in blocks of {best} rows"]
-    heading(f"K and H of a biquintic patch on a {count} x {count} grid")
-    for name, timing in times.items():
-        line(name, timing, count * count, None if timing is rival else rival)
-    print()
+    best = fastest({height: lambda height=height: blocks(height) for height in (2, 4, 8, 16, 32)})
+    mine, theirs = f"NumPy in blocks of {best} rows, arrays handed in", f"NumPy in blocks of {best} rows, fresh arrays"
+    fresh, into = "quintrig, fresh arrays", "quintrig, arrays handed in"
+    two = "quintrig, arrays handed in, two threads"
+    times = race(
+        {
+            mine: lambda: blocks(best),
+            theirs: lambda: blocks(best, fresh=True),
+            "NumPy, whole grid at once": lambda: blocks(count),
+            fresh: lambda: quintrig.analyse(surface, u, v, KH, threads=1),
+            into: lambda: quintrig.analyse(surface, u, v, KH, threads=1, out=out),
+            two: lambda: quintrig.analyse(surface, u, v, KH, threads=2, out=out),
+        },
+        rounds,
+    )
+    print(
+        f"K and H of a biquintic patch on a {count} x {count} grid; fresh against fresh, handed in against handed in\n"
+    )
+    against = {"NumPy, whole grid at once": mine, fresh: theirs, into: mine, two: mine}
+    table(HEAD, compared(times, count * count, against))
+    print(f"Two threads against one: {short(times[into].median / times[two].median)} times as fast.\n")
+
+
+def all_quantities(count: int, rounds: int) -> None:
+    """Everything the table of quantities has a use for, on a grid."""
+    surface = quintrig.tensor(wavy_net(), SHAPE)
+    net, (u, v) = wavy_net(), quintrig.grid(count, count)
+
+    def blocks(height):
+        return every.every_quantity(net, u[:, 0], v[0], SHAPE, height, surface.size)
+
+    best = fastest({height: lambda height=height: blocks(height) for height in (2, 4, 8, 16)})
+    rival, own = f"NumPy in blocks of {best} rows", "quintrig"
+    times = race(
+        {
+            rival: lambda: blocks(best),
+            own: lambda: quintrig.analyse(surface, u, v, every.KEYS, threads=1),
+            "quintrig, two threads": lambda: quintrig.analyse(surface, u, v, every.KEYS, threads=2),
+        },
+        rounds,
+    )
+    print(
+        "Point, normal, K, H, κ1, κ2, both directions, S, C, four classifications and six invariants (28 numbers a "
+        f"point) on a {count} x {count} grid, fresh arrays\n"
+    )
+    table(HEAD, compared(times, count * count, {own: rival, "quintrig, two threads": rival}))
 
 
 def points(count: int, rounds: int) -> None:
@@ -67,27 +84,50 @@ def points(count: int, rounds: int) -> None:
     rng = np.random.default_rng(1)
     u, v = rng.random(count), rng.random(count)
     out = {key: np.empty(count) for key in KH}
-    planes = (out["gaussian"], out["mean"])
-    pieces = {
-        p: lambda p=p: rivals.scattered(wavy_net(), u, v, SHAPE, p, *planes) for p in (512, 1024, 2048, 4096, 16384)
+
+    def pieces(size):
+        rivals.scattered(wavy_net(), u, v, SHAPE, size, *out.values())
+
+    best = fastest({size: lambda size=size: pieces(size) for size in (512, 1024, 2048, 4096, 16384)})
+    rival = f"NumPy, {best} points at a time, arrays handed in"
+    own = {
+        "quintrig, fresh arrays": {"threads": 1},
+        "quintrig, arrays handed in": {"threads": 1, "out": out},
+        "quintrig, arrays handed in, two threads": {"threads": 2, "out": out},
     }
-    best = min(race(pieces, 3).items(), key=lambda item: item[1].median)[0]
-    ways = {
-        f"NumPy, {best} points at a time": pieces[best],
-        "quintrig, fresh arrays": lambda: quintrig.analyse(surface, u, v, KH, threads=1),
-        "quintrig, arrays handed in": lambda: quintrig.analyse(surface, u, v, KH, threads=1, out=out),
-    }
-    times = race(ways, rounds)
-    rival = times[f"NumPy, {best} points at a time"]
-    heading(f"K and H at {count:,} scattered points, basis included")
-    for name, timing in times.items():
-        line(name, timing, count, None if timing is rival else rival)
-    print()
+    ways = {name: lambda how=how: quintrig.analyse(surface, u, v, KH, **how) for name, how in own.items()}
+    times = race({rival: lambda: pieces(best)} | ways, rounds)
+    print(f"K and H at {count:,} scattered points, basis included\n")
+    table(HEAD, compared(times, count, dict.fromkeys(own, rival)))
+
+
+def growth(largest: int, rounds: int) -> None:
+    """Cost a point as the grid grows."""
+    surface = quintrig.tensor(wavy_net(), SHAPE)
+    rows = []
+    for power in range(4, largest + 1):
+        side = math.isqrt(10**power)
+        u, v = quintrig.grid(side, side)
+        fewer = max(3, rounds - 2 * (power - 4))
+
+        def blocks(side=side):
+            for _ in analyse_blocks(surface, side, side, KH, threads=1):
+                pass
+
+        ways = {"blocks": blocks}
+        if power <= 7:
+            ways["whole"] = lambda u=u, v=v: quintrig.analyse(surface, u, v, KH, threads=1)
+        times = race(ways, fewer)
+        cells = [short(times[name].median / side**2 * 1e9) if name in times else "-" for name in ("whole", "blocks")]
+        rows.append((f"10^{power}", *cells, f"{times['blocks'].spread:.0%}", f"{times['blocks'].median:.2g} s"))
+    print("K and H on a grid as it grows, one thread: `analyse` in one piece, `analyse_blocks` in constant memory\n")
+    table(("points", "ns a point, analyse", "ns a point, analyse_blocks", "spread", "time of the latter"), rows)
 
 
 def report(quick: bool) -> None:
     """Print all tables."""
-    print(f"Speed on {platform.processor() or platform.machine()}, Python {platform.python_version()}, NumPy {np.__version__}\n")
     side, many, rounds = (300, 100_000, 5) if quick else (1000, 1_000_000, 9)
     grids(side, rounds)
+    all_quantities(side, max(5, rounds - 2))
     points(many, rounds)
+    growth(6 if quick else 8, rounds)
