@@ -81,9 +81,9 @@ def open_cascade(net, u, v) -> Answer:
     for i, s in enumerate(u.tolist()):
         for j, t in enumerate(across):
             local.SetParameters(s, t)
-            # In this order: the Gaussian curvature alone may be that of the point before.
-            mean[i, j] = local.MeanCurvature()
+            local.IsCurvatureDefined()  # without it the first value asked for is that of the point before
             gaussian[i, j] = local.GaussianCurvature()
+            mean[i, j] = local.MeanCurvature()
     return gaussian, mean
 
 
