@@ -6,7 +6,10 @@ from quintrig.basis import Trigonometric
 
 
 def mixed_partials(net, u, v, shape, height, point=False, basis=Trigonometric):
-    """Yield, for ``height`` rows at a time, the first row and S (if asked), S_u, S_v, S_uu, S_uv, S_vv, (3, rows, nv)."""
+    """Yield blocks of ``height`` rows: the first row and S_u, S_v, S_uu, S_uv, S_vv, each (3, rows, nv).
+
+    With ``point``, S comes before them.
+    """
     orders = ((1, 0), (0, 1), (2, 0), (1, 1), (0, 2))
     rows = np.einsum("pui,ijx->puxj", basis(*shape[:2]).derivatives(u, 2), net)
     blend = np.ascontiguousarray(basis(*shape[2:]).derivatives(v, 2).transpose(0, 2, 1))
