@@ -233,4 +233,5 @@ def test_plane_net_gives_a_plane(basis):
     assert (sample["point_type"] == 4).all()
     assert (sample["hk_type"] == 5).all()
     assert (sample["shape_class"] == 10).all()
-    assert np.isnan(sample["shape_index"]).all()
+    for key in ("shape_index", "direction1", "direction2"):
+        assert np.isnan(sample[key]).all()

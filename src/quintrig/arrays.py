@@ -25,7 +25,7 @@ def frozen(values: ArrayLike, name: str, *shapes: tuple[int | None, ...]) -> Flo
     raw = _numbers(values, name, "real numbers")
     if shapes and not any(_fits(raw.shape, shape) for shape in shapes):
         expected = " or ".join(_spell(shape) for shape in shapes)
-        raise ValueError(f"{name}: expected an array of shape {expected}, found {_spell(raw.shape)}")
+        raise ValueError(f"{name}: expected {expected}, found {_spell(raw.shape)}")
     array: FloatArray = np.array(raw, dtype=np.float64, order="C")
     wrong = np.argwhere(~(np.abs(array) <= LARGEST))
     if len(wrong):
@@ -97,7 +97,7 @@ def _fits(found: tuple[int, ...], wanted: tuple[int | None, ...]) -> bool:
 
 
 def _spell(shape: tuple[int | None, ...]) -> str:
-    return " x ".join("n" if n is None else str(n) for n in shape) if shape else "single number"
+    return " x ".join("n" if n is None else str(n) for n in shape) + " numbers" if shape else "a single number"
 
 
 def _kind(raw: NDArray[Any]) -> str:

@@ -10,8 +10,8 @@ import numpy as np
 from quintrig import classify, curvature, invariants
 from quintrig.arrays import FloatArray, IntArray
 from quintrig.blocks import BLOCK
-from quintrig.curvature import Three
 from quintrig.compiled import loop, scalar
+from quintrig.curvature import Three
 from quintrig.quantity import QUANTITIES
 
 
@@ -103,7 +103,7 @@ def fill_planes(
         if floats[_FORMS + x].size:
             _copy(s, _ROW_FORMS + x, n, floats[_FORMS + x][i], j)
     if floats[_DIRECTION1].size or floats[_DIRECTION2].size:
-        _directions(s, n, i, j, relative, floats)
+        _directions(s, n, i, j, relative, noise, floats)
     if floats[_INDEX].size or codes[_SHAPE].size:
         _indices(s, n, i, j, relative, flat, noise, floats, codes)
     if codes[_HK].size:
@@ -126,7 +126,7 @@ def fill_planes(
 
 
 @loop
-def _directions(s: FloatArray, n: int, i: int, j: int, relative: float, floats: FloatPlanes) -> None:
+def _directions(s: FloatArray, n: int, i: int, j: int, relative: float, noise: float, floats: FloatPlanes) -> None:
     for x in range(3):
         for second in range(2):
             out = floats[(_DIRECTION2 if second else _DIRECTION1) + x]
@@ -138,7 +138,8 @@ def _directions(s: FloatArray, n: int, i: int, j: int, relative: float, floats: 
                     p, q = curvature.principal_direction(a, b, c, r)
                     e1, e2 = s[(_ROW_E1 + x) * BLOCK + k], s[(_ROW_E2 + x) * BLOCK + k]
                     value = p * e2 - q * e1 if second else p * e1 + q * e2
-                    row[j + k] = value if r > relative * s[_ROW_C * BLOCK + k] else np.nan
+                    c = s[_ROW_C * BLOCK + k]
+                    row[j + k] = value if r > relative * c and c > noise else np.nan
 
 
 @loop
