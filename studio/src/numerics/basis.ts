@@ -1,44 +1,70 @@
 /** The Bézier bases: quintic trigonometric with two shape parameters, and classical Bernstein. */
 
 import { cosine, sinCos, sine, store, type Functions } from "./functions";
-import { combine, integral, jet, jets, powers, product, slope, type Jet } from "./taylor";
+import { combine, jet, jets, powers, product, quotient, type Jet } from "./taylor";
 
 export type BasisName = "trigonometric" | "bernstein";
 
-const s = jet(), c = jet(), a = jet(), b = jet();
-const f0 = jet(), f1 = jet(), f2 = jet(), f3 = jet(), f4 = jet(), f5 = jet();
-const x2 = jet(), x3 = jet(), x4 = jet(), q = jet(), speed = jet(), work = jet(), more = jet();
+const s = jet(), c = jet(), a = jet(), b = jet(), one = jet();
+const a2 = jet(), b2 = jet(), both = jet(), factor = jet(), work = jet();
+const hodograph = jets(5);
+one[0] = 1;
 
 /** The six quintic trigonometric Bézier functions (Misro, Ramli and Ali 2017; thesis eq. 2.2). */
 export class Trigonometric implements Functions {
   readonly size = 6;
   constructor(readonly alpha: number, readonly zeta: number) {}
 
+  /** Values are products that do not cancel, derivatives differences of the hodograph's functions. */
   derivatives(t: Float64Array, n: number, out: Float64Array): void {
+    const { alpha, zeta } = this;
     for (let p = 0; p < n; p++) {
-      const value = t[p]!;
-      sinCos(value);
-      rotation(sine, cosine, s);
-      rotation(cosine, -sine, c);
-      // 1 - sin and 1 - cos without cancellation: relative accuracy at both ends.
-      combine(-1, s, 0, s, 0, a);
-      combine(-1, c, 0, c, 0, b);
-      a[0] = 2 * Math.sin(0.25 * Math.PI * (1 - value)) ** 2;
-      b[0] = 2 * Math.sin(0.25 * Math.PI * value) ** 2;
-      const nearStart = value < 0.5;
-      endPair(s, a, this.alpha, nearStart, f0, f1);
-      endPair(c, b, this.zeta, !nearStart, f5, f4);
-      product(product(a, a, work), b, work);
-      product(work, combine(8, s, 3, c, 9, more), f2);
-      product(product(b, b, work), a, work);
-      product(work, combine(8, c, 3, s, 9, more), f3);
-      store(f0, out, n, p, 6, 0);
-      store(f1, out, n, p, 6, 1);
-      store(f2, out, n, p, 6, 2);
-      store(f3, out, n, p, 6, 3);
-      store(f4, out, n, p, 6, 4);
-      store(f5, out, n, p, 6, 5);
+      this.slopes(t[p]!, false, false, hodograph);
+      const s0 = s[0]!, c0 = c[0]!, a0 = a[0]!, b0 = b[0]!, near = t[p]! < 0.5, at = 6 * p;
+      out[at] = a0 ** 4 * (near ? 1 - alpha * s0 : 1 - alpha + alpha * a0);
+      out[at + 1] = s0 * a0 ** 3 * (near ? 4 + alpha - alpha * s0 : 4 + alpha * a0);
+      out[at + 2] = a0 ** 2 * b0 * (8 * s0 + 3 * c0 + 9);
+      out[at + 3] = b0 ** 2 * a0 * (8 * c0 + 3 * s0 + 9);
+      out[at + 4] = c0 * b0 ** 3 * (near ? 4 + zeta * b0 : 4 + zeta - zeta * c0);
+      out[at + 5] = b0 ** 4 * (near ? 1 - zeta + zeta * b0 : 1 - zeta * c0);
+      for (let k = 0; k < 2; k++) {
+        const first = 6 * ((k + 1) * n + p);
+        out[first] = -hodograph[0]![k]!;
+        for (let i = 1; i < 5; i++) out[first + i] = hodograph[i - 1]![k]! - hodograph[i]![k]!;
+        out[first + 5] = hodograph[4]![k]!;
+      }
     }
+  }
+
+  /**
+   * Write the series at t of the functions of the hodograph z'(t) = Σ G_i(t) (P_{i+1} - P_i) to `out`. With `start`
+   * (`end`) all are divided by s (c), and 4 + α (4 + ζ) is left out: what remains where the curve stands still there.
+   */
+  slopes(t: number, start: boolean, end: boolean, out: readonly Jet[]): void {
+    sinCos(t);
+    rotation(sine, cosine, s);
+    rotation(cosine, -sine, c);
+    // 1 - sin and 1 - cos without cancellation: relative accuracy at both ends.
+    combine(-1, s, 0, s, 0, a);
+    combine(-1, c, 0, c, 0, b);
+    a[0] = 2 * Math.sin(0.25 * Math.PI * (1 - t)) ** 2;
+    b[0] = 2 * Math.sin(0.25 * Math.PI * t) ** 2;
+    const near = t < 0.5, rising = start ? one : s, falling = end ? one : c;
+    product(rising, falling, both);
+    product(a, a, a2);
+    product(b, b, b2);
+    outerFactor(this.alpha, s, a, near, start, factor);
+    product(falling, product(product(a2, a, work), factor, work), out[0]!);
+    product(a2, both, out[1]!);
+    combine(12, out[1]!, 0, one, 0, out[1]!);
+    quotient(one, combine(1, s, 1, c, 1, work), work);
+    combine(4, work, 32, one, 0, work);
+    product(product(a, b, factor), product(both, work, work), out[2]!);
+    product(b2, both, out[3]!);
+    combine(12, out[3]!, 0, one, 0, out[3]!);
+    outerFactor(this.zeta, c, b, !near, end, factor);
+    product(rising, product(product(b2, b, work), factor, work), out[4]!);
+    for (let i = 0; i < 5; i++) combine(0.5 * Math.PI, out[i]!, 0, one, 0, out[i]!);
   }
 }
 
@@ -61,28 +87,6 @@ export class Bernstein implements Functions {
   }
 }
 
-/** Bernstein polynomials in w = tan(πt/4), where the exact rational form of trigonometric curves lives. */
-export class TangentBernstein implements Functions {
-  readonly size: number;
-  constructor(readonly degree: number) {
-    this.size = degree + 1;
-  }
-
-  derivatives(t: Float64Array, n: number, out: Float64Array): void {
-    const rate = 0.25 * Math.PI;
-    const w = jet(), rest = jet(), form = bernsteinForm(this.degree);
-    for (let p = 0; p < n; p++) {
-      const value = t[p]!;
-      w[0] = value === 1 ? 1 : Math.tan(rate * value);
-      w[1] = rate * (w[0] * w[0] + 1);
-      w[2] = (rate / 2) * (2 * w[0] * w[1]);
-      combine(-1, w, 0, w, 0, rest);
-      rest[0] = Math.tan(rate * (1 - value)) * (1 + w[0]); // 1 - tan x = tan(π/4 - x)(1 + tan x)
-      form(w, rest, out, n, p);
-    }
-  }
-}
-
 /** The basis called `name` for this many control points. */
 export function family(name: BasisName, points: number, alpha: number, zeta: number): Functions {
   return name === "trigonometric" ? new Trigonometric(alpha, zeta) : new Bernstein(points - 1);
@@ -95,35 +99,11 @@ export function binomial(n: number, k: number): number {
   return result;
 }
 
-/**
- * Write the series of f0 = a⁴ (1 - α s) and f1 = s a³ (4 + α - α s), a = 1 - s, integrated from slopes whose terms do
- * not cancel near the end where s = 0, whatever α.
- */
-function endPair(s: Jet, a: Jet, alpha: number, near: boolean, first: Jet, second: Jet): void {
-  product(a, a, x2);
-  product(x2, a, x3);
-  product(x2, x2, x4);
-  linear(s, a, 4 + alpha, 4, near, q);
-  product(slope(s, speed), x2, speed);
-  product(s, x3, second);
-  const value1 = second[0]! * q[0]!;
-  product(a, linear(s, a, 4 + alpha, 4 - 4 * alpha, near, work), work);
-  product(speed, work, work);
-  combine(-1, work, 0, work, 0, work);
-  const value0 = x4[0]! * linear(s, a, 1, 1 - alpha, near, more)[0]!;
-  integral(work, value0, first);
-  product(combine(1, a, -3, s, 0, work), q, work);
-  product(s, a, more);
-  combine(1, work, -alpha, more, 0, work);
-  integral(product(speed, work, work), value1, second);
-}
-
-/** The series of a linear function of s from its values at s = 0 and s = 1. */
-function linear(s: Jet, a: Jet, atStart: number, atEnd: number, near: boolean, out: Jet): Jet {
-  const rise = atEnd - atStart;
-  combine(rise, s, 0, s, 0, out);
-  out[0] = near ? atStart + rise * s[0]! : atEnd - rise * a[0]!;
-  return out;
+/** The series of 4 + α - 5α s, from a = 1 - s where not `near` the end where s = 0; -5α alone when `divided` by s. */
+function outerFactor(alpha: number, s: Jet, a: Jet, near: boolean, divided: boolean, out: Jet): void {
+  if (divided) return void combine(-5 * alpha, one, 0, s, 0, out);
+  combine(-5 * alpha, s, 0, s, 0, out);
+  out[0] = near ? 4 + alpha - 5 * alpha * s[0]! : 4 - 4 * alpha + 5 * alpha * a[0]!;
 }
 
 /** The series of a function with f'' = -(π/2)² f, from f and f' / (π/2). */

@@ -1,34 +1,97 @@
 /** The enveloping developable: the strip that a one-parameter family of planes touches (thesis §3.3). */
 
-import { Bernstein, TangentBernstein } from "./basis";
+import { Bernstein, Trigonometric } from "./basis";
 import type { Vector } from "./construct";
-import { degreeTen, wedgePoints, WEIGHTS, withoutFactor } from "./rational";
-import { Net, Projected, type Surface } from "./surface";
+import type { Rows, Surface } from "./surface";
+import { jets } from "./taylor";
 
 /** The strip enveloped by Π(t) = Σ f_i(t; α, ζ) L_i between two bounding planes; Error where there is none. */
 export function developable(planes: readonly Vector[], bounds: readonly Vector[], shape: readonly number[], flip: boolean): Surface {
-  const alpha = shape[0]!, zeta = shape[1]!;
-  const ten = degreeTen(planes, alpha, zeta).map((row, i) => row.map((x) => x * WEIGHTS[i]!));
-  const rulings = withoutFactor(wedgePoints(ten), alpha === -4, zeta === -4);
-  const n = rulings.length;
-  const values = new Float64Array(n * 2 * 4);
-  let largest = 0, weight = 0;
-  bounds.forEach((plane, j) =>
-    rulings.forEach((ruling, i) => {
-      const point = meet(ruling, plane);
-      values.set(point, (2 * i + j) * 4);
-      largest = Math.max(largest, ...point.map(Math.abs));
-      weight = Math.max(weight, Math.abs(point[3]!));
-    }),
-  );
-  if (!(weight > 1e-12 * largest)) {
+  const rows = new Envelope(planes, bounds, new Trigonometric(shape[0]!, shape[1]!));
+  if (!rows.meets()) {
     throw new Error(
       "planes: the control planes envelop no strip that the bounding planes cut (they are equal, parallel, or all " +
         "contain one line that a bounding plane contains too); change the planes or the bounds",
     );
   }
-  const net = new Net({ values, n, m: 2, dimension: 4 }, new TangentBernstein(n - 1));
-  return { rows: new Projected(net), blend: new Bernstein(1), flip, net: null };
+  return { rows, blend: new Bernstein(1), flip, net: null };
+}
+
+/**
+ * The two boundary curves of the strip: where the rulings Π ∩ Π' meet the bounding planes. With n and e the normals of Π
+ * and Π', and b that of a bounding plane, n·A + d = 0 and n·A' = b·A' = 0, so A' = λ b × n with λ from the derivative of
+ * Π'. Worked out in this order, the strip keeps its accuracy near the edge of regression.
+ */
+class Envelope implements Rows {
+  readonly size = 2;
+  readonly dimension = 3;
+  private readonly edges: number[][];
+  private readonly start: boolean;
+  private readonly end: boolean;
+  private scratch = new Float64Array(0);
+  private readonly hodograph = jets(5);
+
+  constructor(private readonly planes: readonly Vector[], private readonly bounds: readonly Vector[], private readonly functions: Trigonometric) {
+    this.edges = planes.slice(1).map((plane, i) => plane.map((x, k) => x - planes[i]![k]!));
+    this.start = functions.alpha === -4 || this.edges[0]!.every((x) => x === 0);
+    this.end = functions.zeta === -4 || this.edges[4]!.every((x) => x === 0);
+  }
+
+  derivatives(u: Float64Array, n: number, out: Float64Array): void {
+    if (this.scratch.length < 18 * n) this.scratch = new Float64Array(18 * n);
+    this.functions.derivatives(u, n, this.scratch);
+    for (let p = 0; p < n; p++) {
+      const { plane, slope } = this.dual(u[p]!, n, p);
+      this.bounds.forEach((cut, j) => {
+        boundary(plane, slope, cut).forEach((point, k) => {
+          for (let x = 0; x < 3; x++) out[((k * n + p) * 2 + j) * 3 + x] = (k === 2 ? 2 : 1) * point[x]!;
+        });
+      });
+    }
+  }
+
+  /** Whether some ruling exists and meets both bounding planes in a point. */
+  meets(): boolean {
+    const n = 33, u = Float64Array.from({ length: n }, (_, i) => i / (n - 1));
+    this.scratch = new Float64Array(18 * n);
+    this.functions.derivatives(u, n, this.scratch);
+    const volumes = this.bounds.map(() => 0), longest = [0, 0];
+    for (let p = 0; p < n; p++) {
+      const { plane, slope } = this.dual(u[p]!, n, p);
+      const [first, second] = [plane[0]!.slice(0, 3), slope[0]!.slice(0, 3)];
+      longest[0] = Math.max(longest[0]!, Math.hypot(...first));
+      longest[1] = Math.max(longest[1]!, Math.hypot(...second));
+      this.bounds.forEach((cut, j) => (volumes[j] = Math.max(volumes[j]!, Math.abs(dot(cross(first, second), cut)))));
+    }
+    return volumes.every((volume, j) => volume > 1e-12 * longest[0]! * longest[1]! * Math.hypot(...this.bounds[j]!.slice(0, 3)));
+  }
+
+  /** The series of Π and of Π' at point p, the latter without the factors that vanish where Π stands still. */
+  private dual(t: number, n: number, p: number): { plane: number[][]; slope: number[][] } {
+    this.functions.slopes(t, this.start, this.end, this.hodograph);
+    const orders = [0, 1, 2], parts = [0, 1, 2, 3];
+    const plane = orders.map((k) => parts.map((x) => {
+      let sum = 0;
+      for (let i = 0; i < 6; i++) sum += this.scratch[6 * (k * n + p) + i]! * this.planes[i]![x]!;
+      return k === 2 ? sum / 2 : sum;
+    }));
+    const slope = orders.map((k) => parts.map((x) => this.hodograph.reduce((sum, g, i) => sum + g[k]! * this.edges[i]![x]!, 0)));
+    return { plane, slope };
+  }
+}
+
+/** The series of the point common to Π, Π' and a bounding plane, from those of the first two. */
+function boundary(plane: number[][], slope: number[][], cut: Vector): [number[], number[], number[]] {
+  const along = plane.map((n) => cross(cut, n)) as [number[], number[], number[]];
+  const [e0, e1, e2] = slope as [number[], number[], number[]], n0 = plane[0]!;
+  const volume0 = dot(e0, along[0]), volume1 = dot(e0, along[1]) + dot(e1, along[0]);
+  const first = cross(e0, cut), last = cross(n0, e0);
+  const point = [0, 1, 2].map((x) => -(n0[3]! * first[x]! + e0[3]! * along[0][x]! + cut[3]! * last[x]!) / volume0);
+  // The derivative of e·A + d = 0 gives λ e·(b × n) = -(e'·A + d').
+  const rate0 = (-e1[3]! - dot(e1, point)) / volume0;
+  const tangent = along[0].map((x) => rate0 * x);
+  const rate1 = (-2 * e2[3]! - dot(e1, tangent) - 2 * dot(e2, point) - rate0 * volume1) / volume0;
+  return [point, tangent, along[0].map((x, i) => 0.5 * (rate0 * along[1][i]! + rate1 * x))];
 }
 
 /** Parameters u in [0, 1], `samples` of them evenly spaced, at which the edge of regression lies inside the strip. */
@@ -36,32 +99,32 @@ export function regression(surface: Surface, samples = 257): { start: number; en
   const u = Float64Array.from({ length: samples }, (_, i) => i / (samples - 1));
   const q = new Float64Array(3 * samples * 6);
   surface.rows.derivatives(u, samples, q);
+  const pairs = Array.from(u, (_, p) => jacobians(q, samples, p));
+  // Where both vanish the whole ruling is singular, as at an end with shape parameter -4: no edge crosses there.
+  const sizes = pairs.map(([a, b]) => Math.max(Math.abs(a), Math.abs(b)));
+  const least = 1e-12 * ([...sizes].sort((a, b) => a - b)[samples >> 1] ?? 0);
   const intervals: { start: number; end: number }[] = [];
   let open = false;
-  for (let p = 0; p < samples; p++) {
-    const inside = jacobians(q, samples, p) <= 0;
+  pairs.forEach(([a, b], p) => {
+    const inside = a * b <= 0 && sizes[p]! > least;
     if (inside && !open) intervals.push({ start: u[p]!, end: u[p]! });
     if (inside) intervals[intervals.length - 1]!.end = u[p]!;
     open = inside;
-  }
+  });
   return intervals;
 }
 
-/** The product of S_u × S_v at both boundaries along the common normal; at most 0 where it vanishes between them. */
-function jacobians(q: Float64Array, n: number, p: number): number {
+/** S_u × S_v at both boundaries along the common normal, length². */
+function jacobians(q: Float64Array, n: number, p: number): [number, number] {
   const at = (k: number, j: number, x: number) => q[((k * n + p) * 2 + j) * 3 + x]!;
   const ruling = [0, 1, 2].map((x) => at(0, 1, x) - at(0, 0, x));
   const [a, b] = [0, 1].map((j) => cross([at(1, j, 0), at(1, j, 1), at(1, j, 2)], ruling)) as [number[], number[]];
-  return a[0]! * b[0]! + a[1]! * b[1]! + a[2]! * b[2]!;
+  const larger = dot(a, a) > dot(b, b) ? a : b, length = Math.sqrt(dot(larger, larger)) || 1;
+  return [dot(a, larger) / length, dot(b, larger) / length];
 }
 
-const cross = (a: number[], b: number[]): number[] => [
+const dot = (a: Vector, b: Vector): number => a[0]! * b[0]! + a[1]! * b[1]! + a[2]! * b[2]!;
+
+const cross = (a: Vector, b: Vector): number[] => [
   a[1]! * b[2]! - a[2]! * b[1]!, a[2]! * b[0]! - a[0]! * b[2]!, a[0]! * b[1]! - a[1]! * b[0]!,
 ];
-
-/** The homogeneous point where a ruling, U ⊗ V of two planes, meets a plane: the alternating product of the three. */
-function meet(ruling: Float64Array, plane: Vector): number[] {
-  const p = (i: number, j: number) => ruling[4 * i + j]! - ruling[4 * j + i]!;
-  const minor = (i: number, j: number, k: number) => p(i, j) * plane[k]! - p(i, k) * plane[j]! + p(j, k) * plane[i]!;
-  return [minor(1, 2, 3), -minor(0, 2, 3), minor(0, 1, 3), -minor(0, 1, 2)];
-}

@@ -207,7 +207,7 @@ function write(grid: Grid, key: string, out: Numbers, thresholds: Thresholds): v
       return;
     }
     case "direction1":
-    case "direction2": return directions(grid, key === "direction2", relative, out);
+    case "direction2": return directions(grid, key === "direction2", relative, NOISE * perSize, out);
     case "shape_index":
       for (let p = 0; p < count; p++) out[p] = indexAt(s, n, p, NOISE * perSize);
       return;
@@ -261,11 +261,11 @@ function invariantsAt(grid: Grid, p: number, inPlane: boolean): void {
   else ownMetric(gammas, slope, mean, gaussian, nz, six);
 }
 
-function directions(grid: Grid, second: boolean, relative: number, out: Numbers): void {
+function directions(grid: Grid, second: boolean, relative: number, noise: number, out: Numbers): void {
   const { planes: s, stride: n, count } = grid;
   for (let p = 0; p < count; p++) {
     const r = s[PLANE.radius * n + p]!;
-    const clear = r > relative * s[PLANE.curvedness * n + p]!;
+    const bend = s[PLANE.curvedness * n + p]!, clear = r > relative * bend && bend > noise;
     principalDirection(s[p]!, s[n + p]!, s[2 * n + p]!, r);
     for (let x = 0; x < 3; x++) {
       const e1 = s[(PLANE.e1 + x) * n + p]!, e2 = s[(PLANE.e2 + x) * n + p]!;

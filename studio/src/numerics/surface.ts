@@ -43,34 +43,6 @@ export class Net implements Rows {
   }
 }
 
-/** Rows given in homogeneous coordinates (x, y, z, w), each divided by its own w by the quotient rule. */
-export class Projected implements Rows {
-  readonly size: number;
-  readonly dimension = 3;
-  private scratch = new Float64Array(0);
-  constructor(readonly homogeneous: Net) {
-    this.size = homogeneous.size;
-  }
-
-  derivatives(u: Float64Array, n: number, out: Float64Array): void {
-    const m = this.size, step = 4 * n * m;
-    if (this.scratch.length < 3 * step) this.scratch = new Float64Array(3 * step);
-    const h = this.scratch;
-    this.homogeneous.derivatives(u, n, h);
-    for (let q = 0; q < n * m; q++) {
-      const y0 = h[4 * q + 3]!, y1 = h[step + 4 * q + 3]!, y2 = h[2 * step + 4 * q + 3]! / 2;
-      for (let x = 0; x < 3; x++) {
-        const r0 = h[4 * q + x]! / y0;
-        const r1 = (h[step + 4 * q + x]! - r0 * y1) / y0;
-        const r2 = (h[2 * step + 4 * q + x]! / 2 - (r0 * y2 + r1 * y1)) / y0;
-        out[3 * q + x] = r0;
-        out[3 * (n * m + q) + x] = r1;
-        out[3 * (2 * n * m + q) + x] = 2 * r2;
-      }
-    }
-  }
-}
-
 /**
  * S(u, v) = Σ_j Q_j(u) D_j(v) over [0, 1]²; the normal points along S_u × S_v, against it when `flip`. `net` is the
  * control net to draw. Homogeneous rows make a rational surface.
@@ -85,14 +57,20 @@ export interface Surface {
 const SIDE = 17;
 const STEPS = Float64Array.from({ length: SIDE }, (_, i) => i / (SIDE - 1));
 
-/** Smallest and largest coordinates of 17 × 17 points of the surface, and the diagonal between them, length¹. */
+const found = new Float64Array(3 * SIDE * SIDE);
+const away = new Float64Array(SIDE * SIDE);
+
+/**
+ * Smallest and largest coordinates of 17 × 17 points of the surface, and the diagonal between them, length¹. Points that
+ * lie as good as at infinity are left out.
+ */
 export function extent(surface: Surface): { low: number[]; high: number[]; size: number } {
   const { rows, blend } = surface;
   const m = rows.size, d = rows.dimension;
   const q = new Float64Array(3 * SIDE * m * d), f = new Float64Array(3 * SIDE * m);
   rows.derivatives(STEPS, SIDE, q);
   blend.derivatives(STEPS, SIDE, f);
-  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  let count = 0;
   const sum = [0, 0, 0, 1];
   for (let i = 0; i < SIDE; i++) {
     for (let k = 0; k < SIDE; k++) {
@@ -100,13 +78,28 @@ export function extent(surface: Surface): { low: number[]; high: number[]; size:
         sum[x] = 0;
         for (let j = 0; j < m; j++) sum[x]! += q[(i * m + j) * d + x]! * f[k * m + j]!;
       }
-      for (let x = 0; x < 3; x++) {
-        const value = d === 4 ? sum[x]! / sum[3]! : sum[x]!;
-        low[x] = Math.min(low[x]!, value);
-        high[x] = Math.max(high[x]!, value);
-      }
+      const w = d === 4 ? sum[3]! : 1;
+      for (let x = 0; x < 3; x++) found[3 * count + x] = sum[x]! / w;
+      if (Number.isFinite(found[3 * count]! + found[3 * count + 1]! + found[3 * count + 2]!)) count++;
     }
   }
-  const size = Math.sqrt(low.reduce((total, value, x) => total + (high[x]! - value) ** 2, 0));
+  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  const middle = [0, 1, 2].map((x) => median(Float64Array.from({ length: count }, (_, p) => found[3 * p + x]!)));
+  for (let p = 0; p < count; p++) away[p] = Math.max(...middle.map((value, x) => Math.abs(found[3 * p + x]! - value)));
+  const reach = 1e6 * median(away.slice(0, count)) || Infinity;
+  for (let p = 0; p < count; p++) {
+    if (away[p]! > reach) continue;
+    for (let x = 0; x < 3; x++) {
+      low[x] = Math.min(low[x]!, found[3 * p + x]!);
+      high[x] = Math.max(high[x]!, found[3 * p + x]!);
+    }
+  }
+  const size = count ? Math.sqrt(low.reduce((total, value, x) => total + (high[x]! - value) ** 2, 0)) : 0;
   return { low, high, size };
+}
+
+function median(values: Float64Array): number {
+  values.sort();
+  const half = values.length >> 1;
+  return values.length % 2 ? values[half]! : 0.5 * (values[half - 1]! + values[half]!);
 }

@@ -22,20 +22,13 @@ export function combine(p: number, x: Jet, q: number, y: Jet, r: number, out: Je
   return out;
 }
 
-/** Write the series with this value and this first derivative, whose last entry is not used, to `out`. */
-export function integral(derivative: Jet, value: number, out: Jet): Jet {
-  const second = 0.5 * derivative[1]!;
-  out[1] = derivative[0]!;
-  out[2] = second;
-  out[0] = value;
-  return out;
-}
-
-/** Write the series of the first derivative to `out`; its last entry, which is not known, is 0. */
-export function slope(x: Jet, out: Jet): Jet {
-  out[0] = x[1]!;
-  out[1] = 2 * x[2]!;
-  out[2] = 0;
+/** Write the series of x / y to `out`, which may be x or y. */
+export function quotient(x: Jet, y: Jet, out: Jet): Jet {
+  const y0 = y[0]!, y1 = y[1]!, y2 = y[2]!;
+  const r0 = x[0]! / y0, r1 = (x[1]! - r0 * y1) / y0, r2 = (x[2]! - (r0 * y2 + r1 * y1)) / y0;
+  out[0] = r0;
+  out[1] = r1;
+  out[2] = r2;
   return out;
 }
 
