@@ -354,6 +354,7 @@ def test_four_sets_share_one_scale(context, served):
     assert len(ranges) == 4
     assert all(one == ranges[0] for one in ranges)
     page.get_by_role("radio", name="Before | now").click()
+    page.evaluate(DRAW)
     assert page.locator(".cell-label").all_text_contents() == ["before", "now"]
 
 
