@@ -2,8 +2,13 @@
 
 import http.client
 import json
+import signal
+import subprocess
+import sys
 import threading
 import time
+import urllib.error
+import urllib.request
 from pathlib import Path
 
 import pytest
@@ -194,6 +199,28 @@ def test_deep_and_large_models_are_refused(running):
     status, _, text = running.ask("POST", "/api/check", headers={"Content-Length": str(10**9)})
     assert status == 413
     assert b"24 MB" in text
+
+
+def test_the_command_serves_until_it_is_interrupted(tmp_path):
+    (tmp_path / "tent.toml").write_text(MODEL)
+    command = [sys.executable, "-c", "from quintrig.cli import main; main()", "view", "tent.toml", "--no-browser"]
+    process = subprocess.Popen(command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    try:
+        address = process.stdout.readline().split()[-1]
+        for _ in range(200):
+            try:
+                with urllib.request.urlopen(address) as answer:
+                    assert answer.status == 200
+                break
+            except urllib.error.URLError:
+                time.sleep(0.05)
+        process.send_signal(signal.SIGINT)
+        out, errors = process.communicate(timeout=20)
+    finally:
+        process.kill()
+    assert process.returncode == 0
+    assert "Stopped." in out
+    assert errors == ""
 
 
 def test_the_port_stays_the_same_for_a_model(tmp_path):

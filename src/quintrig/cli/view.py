@@ -21,7 +21,7 @@ def register(app: typer.Typer) -> None:
 
 def view(
     model: Annotated[
-        Path | None, typer.Argument(metavar="[MODEL]", help="Model file, .toml or .json.", show_default=False)
+        Path | None, typer.Argument(metavar="MODEL", help="Model file, .toml or .json.", show_default=False)
     ] = None,
     port: Annotated[
         int, typer.Option(min=0, max=65535, help="Port; 0 chooses one that stays the same for the model.")
@@ -52,4 +52,7 @@ def view(
         import webbrowser
 
         threading.Timer(0.6, webbrowser.open, [where.address]).start()
-    server.serve(where)
+    try:
+        server.serve(where)
+    except KeyboardInterrupt:
+        session.emit("Stopped.")
