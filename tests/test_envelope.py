@@ -182,7 +182,7 @@ def test_regression_of_a_ruled_cone_is_its_apex_and_of_a_cylinder_at_infinity():
     assert quintrig.regression(cylinder).intervals == ()
 
 
-@pytest.mark.parametrize("name", ["ruled cone", "ruled (-4.0, -4.0, -4.0, -4.0)", "developable standing still"])
+@pytest.mark.parametrize("name", ["ruled cone", "developable standing still"])
 def test_a_ruling_that_stands_still_is_no_edge_of_regression(name):
     """At an end with shape parameter -4 all of the ruling is singular; the edge crosses none of these strips."""
     strip = SURFACES[name].surface()
@@ -190,12 +190,43 @@ def test_a_ruling_that_stands_still_is_no_edge_of_regression(name):
     found = quintrig.regression(strip)
     assert found.intervals == ()
     assert not found.inside.any()
-    assert np.isnan(found.v).sum() in (1, 2)
+    assert np.isnan(found.v).sum() == 1
+    assert found.still == ((1.0,) if "cone" in name else (0.0,))
 
 
-def test_regression_is_of_strips_only():
+def test_a_strip_that_turns_back_has_a_ruling_that_stands_still():
+    """Its planes come back the way they went: at u = 1/2 all of the ruling is singular."""
+    there = np.array(CALM[:3])
+    strip = quintrig.developable([*there, *there[::-1]], LEVEL, (0.5, 0.5))
+    found = quintrig.regression(strip, samples=512)  # no sample at 1/2
+    assert found.still == pytest.approx([0.5], abs=1e-5)  # Π' vanishes too: the ruling is a quotient of small numbers
+    assert found.intervals == ()
+    assert quintrig.analyse(strip, 0.5, [0.0, 0.5, 1.0]).singular.all()
+    assert quintrig.regression(strip, samples=513).still == (0.5,)
+
+
+def test_regression_is_of_developables_only():
     with pytest.raises(ValueError, match="straight rulings"):
         quintrig.regression(quintrig.sphere())
+    for name in ("ruled (0.0, 0.0, 0.0, 0.0)", "ruled (-4.0, -4.0, -4.0, -4.0)"):
+        with pytest.raises(ValueError, match="the tangent plane turns along the ruling at u = "):
+            quintrig.regression(SURFACES[name].surface())
+
+
+@pytest.mark.parametrize("width", [1e-2, 1e-4, 1e-7])
+def test_an_edge_that_crosses_between_two_samples_is_found(width):
+    """Narrow bounds cut from the cusped family a strip that its edge of regression crosses within ``width`` of u."""
+    whole = quintrig.regression(quintrig.developable(CUSPED, ACROSS, (0.0, 0.0)))
+    k = int(np.flatnonzero(whole.inside & (whole.v > 0.3) & (whole.v < 0.7))[0])
+    y = 10.0 * 0.5 * float(whole.v[k] + whole.v[k + 1])
+    thin = quintrig.developable(CUSPED, [[0, 1, 0, -y], [0, 1, 0, -y - width]], (0.0, 0.0))
+    found = quintrig.regression(thin)
+    ((low, high),) = [ends for ends in found.intervals if whole.u[k] < ends[0] < whole.u[k + 1]]
+    assert low < high < low + width
+    for end in (low, high):
+        p = thin.partials([end, whole.u[k]], [[0.0], [1.0]], 1)
+        area = np.linalg.norm(np.cross(p[1, 0], p[0, 1]), axis=-1)
+        assert area[:, 0].min() <= 1e-5 * area[:, 1].min()
 
 
 BAD = {

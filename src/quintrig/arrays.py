@@ -68,7 +68,7 @@ def whole(value: SupportsIndex, name: str, least: int) -> int:
     except TypeError:
         found = least - 1
     if found < least or isinstance(value, bool):
-        raise ValueError(f"{name}: expected a whole number of at least {least}, found {value!r}")
+        raise ValueError(f"{name}: expected {least} or more in whole numbers, found {value!r}")
     return found
 
 

@@ -1,16 +1,19 @@
 """The enveloping developable: the strip that a one-parameter family of planes touches (thesis §3.3)."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from quintrig import taylor
-from quintrig.arrays import FloatArray, frozen, parameter
+from quintrig.arrays import BoolArray, FloatArray, frozen, parameter
 from quintrig.basis import Bernstein, TangentBernstein, Trigonometric, shape_parameter
 from quintrig.rational import homogeneous, wedge_points, without_factor
 from quintrig.surface import Net, Surface
+
+_FINE = 1e-10  # to which ends of intervals are bisected
+_PARALLEL = 1e-6  # sine between the normals at both ends of a ruling, above which a surface is not developable
 
 
 def developable(
@@ -112,58 +115,98 @@ class Regression:
     """Where the edge of regression of a ruled developable lies.
 
     ``u`` (n,), ``v`` (n,) the parameter on each ruling where S_u x S_v vanishes (infinite on a cylinder), ``inside``
-    (n,) where that is within [0, 1], and ``intervals`` the ranges of u where it is, to 1e-10.
+    (n,) where that is within [0, 1], and ``intervals`` the ranges of u where it is, to 1e-10. ``still`` holds the u of
+    rulings that are singular as a whole: there the strip stands still, as at an end with shape parameter -4, or turns
+    back.
     """
 
     u: FloatArray
     v: FloatArray
-    inside: np.ndarray[tuple[int], np.dtype[np.bool_]]
+    inside: BoolArray
     intervals: tuple[tuple[float, float], ...]
+    still: tuple[float, ...]
 
 
 def regression(surface: Surface, samples: int = 513) -> Regression:
-    """Locate the edge of regression of a ruled developable surface; ValueError for a blend that is not 1 - v, v.
+    """Locate the edge of regression of a ruled developable surface.
 
     On each ruling of a developable S_u x S_v is linear in v along one fixed normal, so it vanishes once:
     at v = j_A / (j_A - j_B), with j the component at the two boundaries; NaN where the whole ruling is singular.
+    Raises ValueError for a surface that is not ruled in v, or whose tangent plane turns along a ruling.
     """
     if surface.blend != Bernstein(1):
         raise ValueError("regression: expected a surface with straight rulings in v")
     u = np.linspace(0.0, 1.0, samples)
-    first, second = _jacobians(surface, u)
-    size = np.maximum(np.abs(first), np.abs(second))
-    # Where both vanish the whole ruling is singular, as at an end with shape parameter -4: no edge crosses there.
-    moves = size > 1e-12 * np.nanmedian(size)
-    inside = (first * second <= 0.0) & moves
+    first, second = _areas(surface, u)
+    squares: tuple[FloatArray, FloatArray] = (first**2).sum(-1), (second**2).sum(-1)
+    # The larger one gives the direction of the normal; the other is parallel to it, or opposite.
+    larger = np.where((squares[0] > squares[1])[:, None], first, second)
+    square = np.maximum(*squares)
+    turning = (np.cross(first, second) ** 2).sum(-1) > (_PARALLEL * square) ** 2
+    if turning.any():
+        raise ValueError(
+            f"regression: expected a developable, but the tangent plane turns along the ruling at u = {u[turning][0]:g}"
+        )
+    # Where both vanish the whole ruling is singular: no edge crosses there.
+    moves = square > 1e-24 * np.nanmedian(square)
+    opposite: FloatArray = (first * second).sum(-1)
+    inside = (opposite <= 0.0) & moves
+    with np.errstate(divide="ignore", invalid="ignore"):
+        from_first, from_second = squares[0] / (squares[0] - opposite), opposite / (opposite - squares[1])
+    v = np.where(moves, np.where(squares[0] > squares[1], from_first, from_second), np.nan)
+    narrow = _narrow(surface, u, larger, inside | ~moves)
+    intervals = _wide(surface, u, inside) + [(low, high) for low, high in narrow if high - low > 3.0 * _FINE]
+    still = [float(x) for x in u[~moves]] + [low for low, high in narrow if high - low <= 3.0 * _FINE]
+    return Regression(u, v, inside, tuple(sorted(intervals)), tuple(sorted(still)))
+
+
+def _areas(surface: Surface, u: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return S_u x S_v at both boundaries, each (n, 3), length²."""
+    point, slope = surface.rows.derivatives(u, 1)
+    ruling = point[:, 1] - point[:, 0]
+    areas: list[FloatArray] = [np.cross(slope[:, side], ruling) for side in (0, 1)]
+    return areas[0], areas[1]
+
+
+def _wide(surface: Surface, u: FloatArray, inside: BoolArray) -> list[tuple[float, float]]:
+    """Return the intervals that hold a sample, their ends bisected."""
+
+    def lies_inside(middle: float) -> bool:
+        first, second = _areas(surface, np.array([middle]))
+        return bool((first * second).sum() <= 0.0)
+
     intervals: list[tuple[float, float]] = []
     edges = np.flatnonzero(np.diff(np.concatenate([[False], inside, [False]]).astype(np.int8)))
     for start, end in zip(edges[::2], edges[1::2], strict=True):
-        low = u[0] if start == 0 else _crossing(surface, float(u[start - 1]), float(u[start]))
-        high = u[-1] if end == len(u) else _crossing(surface, float(u[end]), float(u[end - 1]))
-        intervals.append((float(low), float(high)))
-    with np.errstate(divide="ignore", invalid="ignore"):
-        v = np.where(moves, first / (first - second), np.nan)
-    return Regression(u, v, inside, tuple(intervals))
+        low = float(u[0]) if start == 0 else _bisected(lies_inside, float(u[start - 1]), float(u[start]))
+        high = float(u[-1]) if end == len(u) else _bisected(lies_inside, float(u[end]), float(u[end - 1]))
+        intervals.append((low, high))
+    return intervals
 
 
-def _jacobians(surface: Surface, u: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return S_u x S_v at both boundaries along the common unit normal, each (n,), length²."""
-    point, slope = surface.rows.derivatives(u, 1)
-    ruling = point[:, 1] - point[:, 0]
-    first, second = np.cross(slope[:, 0], ruling), np.cross(slope[:, 1], ruling)
-    # The larger one gives the direction of the normal; the other is parallel to it, or opposite.
-    larger = np.where(((first**2).sum(-1) > (second**2).sum(-1))[:, None], first, second)
-    length = np.sqrt((larger**2).sum(-1))
-    normal = larger / np.where(length > 0.0, length, 1.0)[:, None]
-    return (first * normal).sum(-1), (second * normal).sum(-1)
+def _narrow(surface: Surface, u: FloatArray, normal: FloatArray, known: BoolArray) -> list[tuple[float, float]]:
+    """Return the intervals between two samples: there S_u x S_v turns to the other side, and vanishes on the way."""
+    turned = ((normal[:-1] * normal[1:]).sum(-1) < 0.0) & ~known[:-1] & ~known[1:]
+    intervals: list[tuple[float, float]] = []
+    for k in np.flatnonzero(turned):
+        low, high = float(u[k]), float(u[k + 1])
+
+        def height(middle: float, side: int, k: int = int(k)) -> float:
+            return float((_areas(surface, np.array([middle]))[side] * normal[k]).sum())
+
+        ends = [_bisected(lambda x, s=side: height(x, s) <= 0.0, low, high) for side in (0, 1)]
+        # It turns at a pole of a boundary too, where it grows instead.
+        largest = [max(abs(height(low, side)), abs(height(high, side))) for side in (0, 1)]
+        if all(abs(height(end, side)) <= largest[side] for side, end in enumerate(ends)):
+            intervals.append((min(ends), max(ends)))
+    return intervals
 
 
-def _crossing(surface: Surface, outside: float, inside: float) -> float:
-    """Bisect for the u where the edge of regression enters the strip."""
-    while abs(inside - outside) > 1e-10:
+def _bisected(holds: Callable[[float], bool], outside: float, inside: float) -> float:
+    """Return where ``holds`` becomes true between a parameter where it does not and one where it does."""
+    while abs(inside - outside) > _FINE:
         middle = 0.5 * (outside + inside)
-        first, second = _jacobians(surface, np.array([middle]))
-        outside, inside = (outside, middle) if first[0] * second[0] <= 0.0 else (middle, inside)
+        outside, inside = (outside, middle) if holds(middle) else (middle, inside)
     return inside
 
 
