@@ -16,7 +16,6 @@ from quintrig.model import Patch
 from quintrig.surface import Surface
 from quintrig.sweep.space import SHAPE_NAMES, DesignSpace, parameters
 
-
 _BASE = -4.0
 _STEP = 2.0**20  # a power of two, so that dividing by it rounds nothing
 
