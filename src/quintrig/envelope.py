@@ -75,7 +75,8 @@ class Envelope:
     def derivatives(self, u: ArrayLike, order: int) -> FloatArray:
         """Return derivatives 0 to ``order`` by u, shape (order + 1, *u.shape, 2, 3), length¹.
 
-        Not finite where a ruling is parallel to a bounding plane. Raises ValueError for u outside [0, 1].
+        Not finite where a ruling is parallel to a bounding plane or Π' vanishes inside. Raises ValueError for u
+        outside [0, 1].
         """
         plane, slope = self._dual(parameter(u, "u"), order)
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
@@ -95,7 +96,7 @@ class Envelope:
 
     def meets(self) -> bool:
         """Return whether some ruling exists and meets both bounding planes in a point."""
-        plane, slope = (series[0, :, :3] for series in self._dual(np.linspace(0.0, 1.0, 33), 0))
+        plane, slope = (np.nan_to_num(series[0, :, :3]) for series in self._dual(np.linspace(0.0, 1.0, 33), 0))
         volumes = np.abs(np.cross(plane, slope) @ self.bounds[:, :3].T)
         lengths = [np.linalg.norm(vectors, axis=-1) for vectors in (plane, slope, self.bounds[:, :3])]
         return bool((volumes > 1e-12 * lengths[0].max() * lengths[1].max() * lengths[2]).any(axis=0).all())
@@ -106,7 +107,11 @@ class Envelope:
         start = self.functions.alpha == -4.0 or not edges[0].any()
         end = self.functions.zeta == -4.0 or not edges[-1].any()
         plane = self.functions.derivatives(u, order) @ self.planes
-        slope = self.functions.slopes(u, order, start, end) @ edges
+        functions = self.functions.slopes(u, order, start, end)
+        slope = functions @ edges
+        # Where the terms cancel to nothing the planes turn back, and rounding must not choose the ruling.
+        terms = np.abs(functions[0]) @ np.abs(edges)
+        slope[0, (np.abs(slope[0]) <= 64.0 * np.finfo(np.float64).eps * terms).all(axis=-1)] = np.nan
         return taylor.coefficients(plane), taylor.coefficients(slope)
 
 
