@@ -4,8 +4,14 @@
  */
 
 import { fromDict, toDict, type Model } from "../numerics/model";
+import type { Store } from "./state";
 
 const PREFIX = "quintrig:draft:";
+
+/** Where a question with two answers is put. */
+interface Asker {
+  offer(text: string, yes: string, act: () => void, no: string, refuse: () => void): void;
+}
 
 interface Draft {
   readonly key: string;
@@ -21,6 +27,30 @@ export class Drafts {
     this.key = `${PREFIX}${place}:${tab}`;
     // Held until the tab is gone; without locks (a page from disk in some browsers) every draft is offered.
     void navigator.locks?.request(this.key, () => new Promise(() => {})).catch(() => {});
+  }
+
+  /** Keep what is unsaved in a store, from now on; a drag is kept when it pauses. */
+  watch(store: Store): void {
+    let timer = 0;
+    const now = () => this.keep(store.state.model === store.state.saved ? null : store.state.model);
+    store.subscribe((state, before) => {
+      if (state.model === before.model && state.saved === before.saved) return;
+      clearTimeout(timer);
+      if (state.model === state.saved) now();
+      else timer = window.setTimeout(now, 400);
+    });
+    window.addEventListener("pagehide", now);
+  }
+
+  /** Offer what a closed tab left; `restore` gets the model. */
+  async offer(asker: Asker, restore: (model: Model) => void): Promise<void> {
+    const left = await this.left();
+    if (!left) return;
+    const when = new Date(left.when).toLocaleString([], { dateStyle: "medium", timeStyle: "short" });
+    asker.offer(`Unsaved work on “${left.model.name}” from ${when} was kept.`, "Restore it", () => {
+      void this.forget();
+      restore(left.model);
+    }, "Discard", () => void this.forget());
   }
 
   /** Keep a model, or forget it when there is nothing unsaved. */

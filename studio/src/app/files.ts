@@ -83,6 +83,21 @@ export class Files {
     });
   }
 
+  /** Open what is dropped on an element. */
+  receive(element: HTMLElement): void {
+    element.addEventListener("dragover", (event) => {
+      event.preventDefault();
+      element.classList.add("receiving");
+    });
+    element.addEventListener("dragleave", () => element.classList.remove("receiving"));
+    element.addEventListener("drop", (event) => {
+      event.preventDefault();
+      element.classList.remove("receiving");
+      const file = event.dataTransfer?.files[0];
+      if (file) void this.take(file);
+    });
+  }
+
   async save(): Promise<void> {
     const { source } = this.store.state;
     if (source) await this.write(source.name, source.tag);

@@ -1,10 +1,8 @@
 /** The studio put together: state, panels and picture, and what has to be worked out again after a change. */
 
 import { polylines, handles } from "../edit/handles";
-import { regression } from "../numerics/envelope";
-import { build, shapeOf, type Model, type Patch } from "../numerics/model";
+import { build, type Model, type Patch } from "../numerics/model";
 import { QUANTITY } from "../numerics/quantity";
-import { extent } from "../numerics/surface";
 import { Hud } from "../ui/hud";
 import { Inspector } from "../ui/inspector";
 import { Legend } from "../ui/legend";
@@ -21,21 +19,17 @@ import { sharpest, type Sharpest } from "../view/radius";
 import { toothOf } from "../view/overlays";
 import { rangeOf, type Range } from "../view/range";
 import { Stage, type Cell, type Piece } from "../view/stage";
+import { boxOf, cellsOf, type Box, type Shown } from "./cells";
 import { Drafts } from "./drafts";
 import { Files } from "./files";
 import type { Host } from "./host";
 import { press } from "./keys";
 import { listen, still } from "./pointer";
 import { remembered, type Settings } from "./settings";
-import { shapeSets, Store, type Source, type State } from "./state";
+import { Store, type Source, type State } from "./state";
+import { warningOf } from "./warning";
 
 const FRAME_BUDGET = 9; // ms that evaluating everything may take while something moves
-
-interface Shown {
-  readonly label: string;
-  readonly model: Model;
-  readonly editable: boolean;
-}
 
 export interface Start {
   readonly model: Model;
@@ -70,8 +64,7 @@ export class Studio {
   private cost = 0;
   private refit = true;
   private fitAfter = false;
-  private box = { low: [0, 0, 0], high: [1, 1, 1] };
-  private draftTimer = 0;
+  private box: Box = { low: [0, 0, 0], high: [1, 1, 1] };
 
   constructor(private readonly container: HTMLElement, private readonly host: Host, start: Start) {
     const settings: Settings = { ...remembered(), ...(start.quantity ? { quantity: start.quantity } : {}) };
@@ -95,11 +88,11 @@ export class Studio {
       this.inspector.element, this.status.element);
     container.append(this.root);
     this.drafts = new Drafts(host.place);
-    listen(this.canvas, { store, stage: this.stage, frame: () => this.frame, fit: () => this.fit(), editable: (cell) => this.shown()[cell]?.editable ?? false, redraw: () => this.plan(), ownsWheel: () => host.kind === "live" || this.canvas.matches(":focus") });
+    listen(this.canvas, { store, stage: this.stage, frame: () => this.frame, fit: () => this.fit(), editable: (cell) => cellsOf(store.state)[cell]?.editable ?? false, redraw: () => this.plan(), ownsWheel: () => host.kind === "live" || this.canvas.matches(":focus") });
     this.root.addEventListener("keydown", (event) => {
       if (press(event, { store, stage: this.stage, files: this.files, frame: () => this.frame, fit: () => this.fit(), view: (name) => this.view(name), redraw: () => this.plan(), help: () => void showHelp(this.root) })) event.preventDefault();
     });
-    this.receiveFiles();
+    this.files.receive(this.root);
     new ResizeObserver(() => this.resize()).observe(this.centre);
     const scheme = matchMedia("(prefers-color-scheme: dark)");
     scheme.addEventListener("change", () => this.plan(true));
@@ -107,17 +100,20 @@ export class Studio {
     if (!this.stage.works) this.status.warn("This browser has no WebGL: you see still pictures. Everything else works.");
     this.resize();
     this.plan(true);
-    void this.offerDraft();
+    if (host.kind !== "notebook") {
+      this.drafts.watch(store);
+      void this.drafts.offer(this.status, (model) => {
+        this.refit = true;
+        store.edit(model);
+      });
+    }
   }
 
   private changed(now: State, before: State, start: Start): void {
     if (now.model !== before.model) {
       start.onModel?.(now.model);
-      if (now.saved === now.model) this.keepDraft(0);
-      else this.keepDraft(400);
       if (now.model.patches.some((patch, i) => patch.kind !== before.model.patches[i]?.kind) || now.model.patches.length !== before.model.patches.length) this.refit = true;
     }
-    if (now.saved !== before.saved) this.keepDraft(0);
     if (now.opened !== before.opened) this.refit = true;
     if (now.settings.sectionAxis !== before.settings.sectionAxis) this.placeSection();
     const shownBefore = before.compare !== now.compare;
@@ -154,7 +150,7 @@ export class Studio {
     const { state } = this.store, { settings } = state;
     this.dark = settings.theme === "dark" || (settings.theme === "auto" && this.darkAround());
     this.root.dataset["theme"] = this.dark ? "dark" : "light";
-    const shown = this.shown();
+    const shown = cellsOf(this.store.state);
     if (this.stage.cells.length !== shown.length) this.fitAfter = true;
     this.stage.layout(shown.length, this.margin());
     const side = this.side(settings, state.moving, shown.length);
@@ -185,7 +181,7 @@ export class Studio {
     this.hud.labels(shown.map((one) => one.label));
     this.status.refresh(state, {
       side, cost: this.cost, singular: meshes.reduce((sum, mesh) => sum + mesh.singular, 0), points: meshes.reduce((sum, mesh) => sum + mesh.grid.count, 0),
-      sharp: this.sharp[0]?.at ?? null, warning: this.warning(state),
+      sharp: this.sharp[0]?.at ?? null, warning: warningOf(state, this.stage.cells[0]?.pieces[state.patch]?.surface ?? null),
     });
   }
 
@@ -235,60 +231,15 @@ export class Studio {
     this.coarse = fits >= full ? full : Math.max(36, Math.min(full, Math.round(fits)));
   }
 
-  /** What the cells show, in their order. */
-  private shown(): Shown[] {
-    const { model, saved, compare, kept, patch } = this.store.state;
-    const now = { label: "", model, editable: true };
-    if (compare === "before") return [{ label: "before", model: saved, editable: false }, { ...now, label: "now" }];
-    if (compare === "kept" && kept.length) return [{ ...now, label: "now" }, ...kept.map((one) => ({ ...one, editable: false }))];
-    const count = shapeOf(model.patches[patch]!).length, sets = shapeSets(count);
-    if (compare === "sets" && sets.length) {
-      const same = (one: Patch, set: readonly number[]) => shapeOf(one).length !== count || String(shapeOf(one)) === String(set);
-      return sets.map((set) => {
-        const mine = model.patches.every((one) => same(one, set));
-        return { label: `(${set.join(", ").replaceAll("-", "−")})`, model: mine ? model : this.withShape(model, set, count), editable: true };
-      });
-    }
-    return [now];
-  }
-
-  private shaped = new WeakMap<Patch, Map<string, Patch>>();
-
-  /** The model with a set of shape parameters; the same object for the same patch, so that nothing is worked out twice. */
-  private withShape(model: Model, set: readonly number[], count: number): Model {
-    return {
-      ...model,
-      patches: model.patches.map((patch) => {
-        if (shapeOf(patch).length !== count) return patch;
-        const known = this.shaped.get(patch) ?? new Map<string, Patch>();
-        this.shaped.set(patch, known);
-        const made = known.get(String(set)) ?? { ...patch, shape: set };
-        known.set(String(set), made);
-        return made;
-      }),
-    };
-  }
-
   /** Choose the frame of the picture anew from the surfaces shown. */
   private reframe(shown: readonly Shown[]): void {
     this.refit = false;
-    const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-    for (const { model } of shown) {
-      for (const patch of model.patches) {
-        const box = boxOf(patch);
-        if (!box) continue;
-        for (let x = 0; x < 3; x++) {
-          low[x] = Math.min(low[x]!, box.low[x]!);
-          high[x] = Math.max(high[x]!, box.high[x]!);
-        }
-      }
-    }
-    if (!(low[0]! <= high[0]!)) return;
-    this.frame = frameOf(low, high);
-    this.box = { low, high };
+    const box = boxOf(shown);
+    if (!box) return;
+    this.box = box;
+    this.frame = frameOf(box.low, box.high);
     this.placeSection();
-    const step = 10 ** Math.round(Math.log10(Math.max(2 / this.frame.scale, 1e-30) / 100));
-    this.store.setting({ snapStep: step });
+    this.store.setting({ snapStep: 10 ** Math.round(Math.log10(Math.max(2 / this.frame.scale, 1e-30) / 100)) });
     this.fitAfter = true;
   }
 
@@ -310,17 +261,6 @@ export class Studio {
       const least = found.sort((a, b) => a.radius - b.radius)[0];
       return least ? [{ cell, at: least }] : [];
     });
-  }
-
-  private warning(state: State): string {
-    const patch = state.model.patches[state.patch]!, piece = this.stage.cells[0]?.pieces[state.patch];
-    if (patch["unchecked_shape"] === true && shapeOf(patch).some((x) => x < -4 || x > 1)) return "Shape parameters outside [−4, 1]: the convex-hull property is lost";
-    if ((patch["trim"] as unknown[] | undefined)?.length) return "A trimmed face: the whole of its surface is shown";
-    if (patch.kind !== "developable" || state.moving || !piece?.surface) return "";
-    const inside = regression(piece.surface);
-    if (!inside.length) return "";
-    const spans = inside.map(({ start, end }) => `${start.toFixed(3)} to ${end.toFixed(3)}`).join(", ");
-    return `The edge of regression lies inside the strip for u = ${spans}: the surface is singular there`;
   }
 
   private view(name: ViewName): void {
@@ -357,44 +297,7 @@ export class Studio {
     const background = choice.background === "white" ? "#ffffff" : choice.background === "theme" ? style.getPropertyValue("--ground-flat").trim() : null;
     const image = await this.stage.picture(choice.width, choice.height, background);
     const { state } = this.store;
-    return compose(image, choice, state, this.range, this.stage.cells, this.shown().map((one) => one.label), this.dark && choice.background === "theme");
-  }
-
-  private receiveFiles(): void {
-    this.root.addEventListener("dragover", (event) => {
-      event.preventDefault();
-      this.root.classList.add("receiving");
-    });
-    this.root.addEventListener("dragleave", () => this.root.classList.remove("receiving"));
-    this.root.addEventListener("drop", (event) => {
-      event.preventDefault();
-      this.root.classList.remove("receiving");
-      const file = event.dataTransfer?.files[0];
-      if (file) void this.files.take(file);
-    });
-  }
-
-  private keepDraft(wait: number): void {
-    clearTimeout(this.draftTimer);
-    const keep = () => {
-      const { model, saved } = this.store.state;
-      this.drafts.keep(model === saved ? null : model);
-    };
-    if (wait) this.draftTimer = window.setTimeout(keep, wait);
-    else keep();
-  }
-
-  private async offerDraft(): Promise<void> {
-    window.addEventListener("pagehide", () => this.keepDraft(0));
-    if (this.host.kind === "notebook") return;
-    const left = await this.drafts.left();
-    if (!left) return;
-    const when = new Date(left.when).toLocaleString([], { dateStyle: "medium", timeStyle: "short" });
-    this.status.offer(`Unsaved work on “${left.model.name}” from ${when} was kept.`, "Restore it", () => {
-      void this.drafts.forget();
-      this.refit = true;
-      this.store.edit(left.model);
-    }, "Discard", () => void this.drafts.forget());
+    return compose(image, choice, state, this.range, this.stage.cells, cellsOf(this.store.state).map((one) => one.label), this.dark && choice.background === "theme");
   }
 
   /** Where the handle of a control point is in the window, in CSS pixels; null where there is none. */
@@ -415,14 +318,5 @@ export class Studio {
     cancelAnimationFrame(this.planned);
     this.stage.dispose();
     this.container.replaceChildren();
-  }
-}
-
-/** The box of a patch; null where it cannot be built. */
-function boxOf(patch: Patch): { low: number[]; high: number[] } | null {
-  try {
-    return extent(build(patch));
-  } catch {
-    return null;
   }
 }
