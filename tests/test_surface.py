@@ -93,6 +93,14 @@ def test_rows_and_blend_must_have_the_same_number():
         Surface(rows, Bernstein(3))
 
 
+@over_catalogue()
+def test_control_points_cannot_be_changed_behind_a_surface(name):
+    surface = SURFACES[name].surface()
+    held = [surface.net, getattr(surface.rows, "points", None), getattr(surface.rows, "planes", None)]
+    assert any(array is not None for array in held)
+    assert not any(array.flags.writeable for array in held if array is not None)
+
+
 def test_values_do_not_change_with_the_arrays_they_came_from():
     points = wave()
     surface = quintrig.tensor(points)

@@ -36,6 +36,14 @@ def frozen(values: ArrayLike, name: str, *shapes: tuple[int | None, ...]) -> Flo
     return array
 
 
+def locked(array: FloatArray) -> FloatArray:
+    """Return ``array`` itself if it is read-only, else a read-only copy."""
+    if array.flags.writeable:
+        array = array.copy()
+        array.setflags(write=False)
+    return array
+
+
 def number(value: float, name: str) -> float:
     """Return ``value`` as a finite float; raises ValueError naming ``name``."""
     return float(frozen(value, name, ()))

@@ -8,7 +8,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quintrig.arrays import BoolArray, FloatArray, parameter, whole
+from quintrig.arrays import BoolArray, FloatArray, locked, parameter, whole
 from quintrig.functions import Functions
 
 
@@ -36,6 +36,10 @@ class Net:
 
     points: FloatArray
     functions: Functions
+
+    def __post_init__(self) -> None:
+        """Keep a copy of points that might change."""
+        object.__setattr__(self, "points", locked(self.points))
 
     @property
     def size(self) -> int:
@@ -73,7 +77,9 @@ class Surface:
     trim: tuple[FloatArray, ...] = ()
 
     def __post_init__(self) -> None:
-        """Check once that rows and blend go together."""
+        """Check once that rows and blend go together, and keep a copy of a net that might change."""
+        if self.net is not None:
+            object.__setattr__(self, "net", locked(self.net))
         if self.rows.size != self.blend.size:
             raise ValueError(f"blend: expected {self.rows.size} functions, one for each row, found {self.blend.size}")
 
