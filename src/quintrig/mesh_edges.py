@@ -35,18 +35,27 @@ def links(surfaces: Sequence[Surface]) -> list[Link]:
     sizes = [surface.size for surface in surfaces]
     alive = [key for key, curve in curves.items() if np.ptp(curve, axis=0).max() > _SAME * sizes[key[0]]]
     result: list[Link] = []
-    for i, first in enumerate(alive):
-        for second in alive[i + 1 :]:
-            reach = _SAME * min(sizes[first[0]], sizes[second[0]])
-            ends = curves[first][[0, -1]], curves[second][[0, -1]]
-            for backwards in (False, True):
-                if np.abs(ends[0] - (ends[1][::-1] if backwards else ends[1])).max() > reach:
-                    continue
-                other = curves[second][::-1] if backwards else curves[second]
-                if np.abs(curves[first] - other).max() <= reach:
-                    result.append(Link(first, second, backwards, _opposed(surfaces, first, second, backwards)))
-                    break
+    for first, second in _near(alive, curves, _SAME * max(sizes)):
+        reach = _SAME * min(sizes[first[0]], sizes[second[0]])
+        for backwards in (False, True):
+            other = curves[second][::-1] if backwards else curves[second]
+            if np.abs(curves[first] - other).max() <= reach:
+                result.append(Link(first, second, backwards, _opposed(surfaces, first, second, backwards)))
+                break
     return result
+
+
+def _near(sides: Sequence[Side], curves: dict[Side, FloatArray], reach: float) -> list[tuple[Side, Side]]:
+    """Return the pairs of sides whose middles are within ``reach``: in a large model few are."""
+    middles: FloatArray = np.array([curves[side][len(curves[side]) // 2] for side in sides]).reshape(-1, 3)
+    order = np.argsort(middles[:, 0], kind="stable")
+    along = middles[order]
+    ends = np.searchsorted(along[:, 0], along[:, 0] + reach, side="right")
+    pairs: list[tuple[int, int]] = []
+    for i, end in enumerate(ends.tolist()):
+        close = np.flatnonzero((np.abs(along[i + 1 : end] - along[i]) <= reach).all(axis=1)) + i + 1
+        pairs += [(min(order[i], order[j]), max(order[i], order[j])) for j in close.tolist()]
+    return [(sides[i], sides[j]) for i, j in sorted(pairs)]
 
 
 def place(side: int, t: FloatArray | float) -> tuple[FloatArray, FloatArray]:

@@ -12,6 +12,7 @@ from quintrig.exchange.faces import Contents, Face, SpaceCurve
 from quintrig.exchange.occ import array_type, down_to, explored, from_occ, module, quiet, sequence
 from quintrig.exchange.trim import simplified, without_border
 from quintrig.exchange.units import ASSUMED, UNITS, named
+from quintrig.nurbs import nurbs
 
 _MOST_FACES = 100_000
 _MOST_NAMED = 2_000  # matching names to faces takes the square of their number
@@ -194,6 +195,9 @@ def _face(number: int, name: str, face: Any) -> Face:
         if (weights != weights[0, 0]).any():
             keys["weights"] = weights.tolist()
         trim = without_border([simplified(loop) for loop in _loops(face, box)])
+        nurbs(points, weights, degrees, knots, trim=trim)  # a damaged file may hold anything
+    except ValueError as error:
+        return Face(number, name, _EXACT_KINDS[kind], {}, _short(error))
     except Exception as error:  # whatever OpenCASCADE throws: this face cannot be read, others may
         return Face(number, name, _EXACT_KINDS[kind], {}, f"OpenCASCADE fails on it ({_short(error)})")
     if trim:

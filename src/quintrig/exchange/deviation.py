@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from quintrig.arrays import FloatArray
 from quintrig.exchange.carrier import Carrier
 from quintrig.exchange.faces import Contents
 from quintrig.model import Model
@@ -30,14 +31,18 @@ def deviations(parts: Sequence[Carrier], contents: Contents, points: int = 100) 
     if len(surfaces) != len(parts):
         raise ValueError(f"reading back: expected {len(parts)} faces, found {len(surfaces)}")
     u, v = grid(points, points)
+    few = grid(3, 3)
     result: list[Deviation] = []
     for part in parts:
-        x, y = part.form.to_exact(u, v)
-        x, y = np.broadcast_arrays(x, y)
-        at = part.surface(u, v)
-        distance = min(float(np.sqrt(((other(x, y) - at) ** 2).sum(axis=-1)).max()) for other in surfaces)
+        nearest = min(surfaces, key=lambda other: _distance(part, other, *few))
+        distance = _distance(part, nearest, u, v)
         result.append(Deviation(part.name, distance, distance / part.surface.size))
     return tuple(result)
+
+
+def _distance(part: Carrier, other: Surface, u: FloatArray, v: FloatArray) -> float:
+    x, y = np.broadcast_arrays(*part.form.to_exact(u, v))
+    return float(np.sqrt(((other(x, y) - part.surface(u, v)) ** 2).sum(axis=-1)).max())
 
 
 def _surface(keys: dict[str, object]) -> Surface:

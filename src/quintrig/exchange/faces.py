@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
-from quintrig.errors import QuintrigError
+from quintrig.errors import ModelError, QuintrigError
 from quintrig.model import Model
 
 
@@ -95,9 +95,13 @@ def to_model(contents: Contents, place: str, numbers: Sequence[int] | None = Non
     header: dict[str, Any] = {"schema": 1, "name": contents.name[:200]}
     if contents.unit:
         header["unit"] = contents.unit
+    keys = header | {"patch": patches}
     if len(patches) == 1:
-        return Model.from_dict({**header, **patches[0], "name": names[0] if numbers else header["name"] or names[0]})
-    return Model.from_dict(header | {"patch": patches})
+        keys = {**header, **patches[0], "name": names[0] if numbers else header["name"] or names[0]}
+    try:
+        return Model.from_dict(keys)
+    except ModelError as error:
+        raise QuintrigError(f"{place}: {error}; export the face again") from None
 
 
 def pick_curve(contents: Contents, place: str, number: int) -> SpaceCurve:

@@ -15,6 +15,8 @@ SECONDS = 300
 LARGEST = 512 * 2**20
 """Bytes of a file that is read at all."""
 
+_MEMORY = 16 * 2**30  # bytes of address space for the reading process
+
 SUFFIXES = (".step", ".stp", ".iges", ".igs", ".brep", ".3dm")
 """Endings of the files that hold CAD surfaces."""
 
@@ -73,6 +75,17 @@ def _check(path: Path) -> None:
         raise QuintrigError(f"{path}: expected a CAD file of at most {LARGEST >> 20} MB, found {found}")
 
 
+def _bound_memory() -> None:
+    """Let a file that asks for absurd amounts of memory fail alone; where the system can."""
+    try:
+        import resource
+    except ImportError:  # not on Windows
+        return
+    _, hard = resource.getrlimit(resource.RLIMIT_AS)
+    most = _MEMORY if hard == resource.RLIM_INFINITY else min(hard, _MEMORY)
+    resource.setrlimit(resource.RLIMIT_AS, (most, hard))
+
+
 def _answer(path: Path, answer: Path) -> None:
     try:
         told = read_here(path).to_dict()
@@ -87,4 +100,5 @@ def _answer(path: Path, answer: Path) -> None:
 
 
 if __name__ == "__main__":
+    _bound_memory()
     _answer(Path(sys.argv[1]), Path(sys.argv[2]))
