@@ -117,7 +117,8 @@ def _pick(contents: Contents, place: str, number: int) -> Face:
         if face.number == number:
             return face
     raise QuintrigError(
-        f"{place}: expected a face from 1 to {len(contents.faces)}, found {number}; quintrig import {place} --list shows them"
+        f"{place}: expected a face from 1 to {len(contents.faces)}, found {number}; "
+        f"quintrig import {place} --list shows them"
     )
 
 
