@@ -66,7 +66,8 @@ def test_the_poles_of_a_sphere_are_told():
     assert result.singular.count == 66
     only(result.warnings, "66 of 1089", "u = 0", "u = 1")
     only(result.warnings, "The edge u = 0 is a single point")
-    only(result.warnings, "33 of 1089", "vertical")
+    only(result.notes, "33 of 1089", "vertical")
+    assert not any("vertical" in line for line in result.warnings)
     assert result.integrals.bending.converged
 
 
@@ -160,7 +161,7 @@ def test_shape_parameters_are_found_where_they_act():
 
 
 def test_bad_arguments_are_refused():
-    with pytest.raises(ValueError, match="nu: expected 2"):
+    with pytest.raises(ValueError, match="nu: expected"):
         summarise(quintrig.sphere(), samples=1)
     with pytest.raises(ValueError, match="tolerance"):
         summarise(quintrig.sphere(), tolerance=1)

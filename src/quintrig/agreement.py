@@ -55,7 +55,7 @@ class Reason:
 
 
 REASONS: tuple[Reason, ...] = (
-    Reason("singular", UNDEFINED, "The surface has no tangent plane here, so no method says anything."),
+    Reason("singular", UNDEFINED, "S_u × S_v = 0 here: there is no normal, so no method says anything."),
     Reason("agree", AGREE, "All three methods say the same."),
     Reason("flat", AGREE, "All three methods say flat: the curvedness is below the threshold and S is undefined."),
     Reason(

@@ -24,7 +24,7 @@ _PARALLEL = 1e-9  # sine of the angle between the normals at the ends of a rulin
 
 @dataclass(frozen=True)
 class Singular:
-    """Where the samples of a grid have no tangent plane.
+    """Where the samples of a grid have S_u × S_v = 0, and so no normal.
 
     ``count`` of ``samples``; the ``edges`` that are singular from end to end, the ``corners`` that are singular and not
     on such an edge, and how many other points are, ``on_edges`` of the domain and ``inside``.
@@ -42,15 +42,17 @@ class Singular:
         if not self.count:
             return ""
         if self.count == self.samples:
-            return f"All {self.samples} sample points are singular: the surface has no tangent plane anywhere."
+            return (
+                f"All {self.samples} sample points are singular: S_u × S_v = 0 to rounding, so there is no curvature."
+            )
         places = [f"all of the edge {edge}" for edge in self.edges]
         places += [f"the corner (u, v) = {corner}" for corner in self.corners]
         places += [f"{self.on_edges} more on edges"] if self.on_edges else []
         places += [f"{self.inside} inside"] if self.inside else []
         are = "is" if self.count == 1 else "are"
         return (
-            f"{self.count} of {self.samples} sample points {are} singular (no tangent plane, so no curvature): "
-            f"{', '.join(places)}."
+            f"{self.count} of {self.samples} sample points {are} singular (S_u × S_v = 0, so no normal and no "
+            f"curvature): {', '.join(places)}."
         )
 
 
@@ -101,8 +103,19 @@ def find_cautions(
     told = [singular.describe(), *_edges(surface, size), *_parameters(surface, unit), *_points(surface)]
     regressive = _regression(surface)
     told += regressive or _folds(sample)
-    told += [*_vertical(sample), *_unbounded(extremes), *_trimmed(surface, sample)]
+    told += [*_unbounded(extremes), *_trimmed(surface, sample)]
     return tuple(line for line in told if line)
+
+
+def find_notes(sample: Sample) -> tuple[str, ...]:
+    """Return what is no fault of the surface but explains missing values; ``sample`` has at least "normal"."""
+    count = int((np.abs(sample.normal[..., 2]) <= VERTICAL).sum())
+    if not count:
+        return ()
+    return (
+        f"At {count} of {sample.singular.size} sample points the tangent plane is vertical: the invariants in the "
+        "metric of the plane are infinite there; those in the metric of the surface are not.",
+    )
 
 
 def _trimmed(surface: Surface, sample: Sample) -> list[str]:
@@ -126,7 +139,7 @@ def _edges(surface: Surface, size: float) -> list[str]:
         there = np.full_like(t, end)
         partials = surface.partials(there, t, 1) if name == "u" else surface.partials(t, there, 1)
         if np.ptp(partials[0, 0], axis=0).max() <= SINGULAR * size:
-            told.append(f"The edge {edge} is a single point: the surface is singular there.")
+            told.append(f"The edge {edge} is a single point, such as a pole or an apex: S_u × S_v = 0 all along it.")
         across = partials[1, 0] if name == "u" else partials[0, 1]
         if np.abs(across).max() <= SINGULAR * size:
             told.append(
@@ -188,7 +201,10 @@ def _points(surface: Surface) -> list[str]:
     i, j = (int(x) for x in np.argwhere(same_u)[0]) if same_u.any() else (int(x) for x in np.argwhere(same_v)[0])
     other = f"[{i + 1}][{j}]" if same_u.any() else f"[{i}][{j + 1}]"
     pairs = "1 pair" if count == 1 else f"{count} pairs"
-    return [f"{pairs} of neighbouring control points coincide, the first points[{i}][{j}] and points{other}."]
+    return [
+        f"{pairs} of neighbouring control points coincide (within {SINGULAR:.0e} of the net's extent), the first "
+        f"points[{i}][{j}] and points{other}."
+    ]
 
 
 def _coincident(net: FloatArray, axis: int, extent: float) -> BoolArray:
@@ -228,16 +244,6 @@ def _folds(sample: Sample) -> list[str]:
     return [
         f"The normal turns by more than 90° between neighbouring samples at {places}, first near (u, v) = "
         f"({sample.u[i, 0]:.4g}, {sample.v[0, j]:.4g}): a fold or a singular curve runs between them."
-    ]
-
-
-def _vertical(sample: Sample) -> list[str]:
-    count = int((np.abs(sample.normal[..., 2]) <= VERTICAL).sum())
-    if not count:
-        return []
-    return [
-        f"At {count} of {sample.singular.size} sample points the tangent plane is vertical: the invariants in the "
-        "metric of the plane are infinite there; those in the metric of the surface are not."
     ]
 
 

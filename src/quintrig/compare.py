@@ -108,7 +108,8 @@ def _notes(found: Sequence[Variant]) -> tuple[str, ...]:
         f"{summary.orientation[0].upper()}{summary.orientation[1:]}; means are over the area.",
         f"{formulas[0].upper()}{formulas[1:]}.",
     ]
-    return (*notes, *(f"{one.label}: {warning}" for one in found for warning in one.summary.warnings))
+    told = ((one.label, line) for one in found for line in (*one.summary.warnings, *one.summary.notes))
+    return (*notes, *(f"{label}: {line}" for label, line in told))
 
 
 def _check(patch: Patch) -> None:

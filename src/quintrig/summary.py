@@ -7,7 +7,7 @@ from types import MappingProxyType
 import numpy as np
 
 from quintrig.arrays import FloatArray
-from quintrig.cautions import Singular, find_cautions, find_singular
+from quintrig.cautions import Singular, find_cautions, find_notes, find_singular
 from quintrig.classify import Thresholds
 from quintrig.extremes import Extremes, find_extremes
 from quintrig.integrate import Integrals, area_weights, integrals, orientation
@@ -37,7 +37,7 @@ class Summary:
     ``box`` (2, 3) holds the least and greatest coordinates of the samples and ``size`` the diagonal that thresholds
     refer to, length¹ in ``unit`` (empty: plain numbers). ``shares`` gives, for each of ``CLASSIFIED``, the classes that
     occur, largest first. ``thresholds`` says in words when a curvature counts as zero, ``orientation`` which way the
-    normal points, and ``warnings`` what to beware of.
+    normal points, ``warnings`` what to beware of, and ``notes`` what is worth knowing but no fault of the surface.
     """
 
     unit: str
@@ -50,6 +50,7 @@ class Summary:
     shares: Mapping[str, tuple[ClassShare, ...]]
     singular: Singular
     warnings: tuple[str, ...]
+    notes: tuple[str, ...]
 
 
 def summarise(
@@ -87,6 +88,7 @@ def summarise(
         MappingProxyType(shares),
         find_singular(sample),
         (*find_cautions(surface, sample, extremes, unit), *found.cautions),
+        find_notes(sample),
     )
 
 

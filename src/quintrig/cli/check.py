@@ -37,7 +37,7 @@ def check(
     """Check models, and tell in a few lines what each is and what to beware of.
 
     Warnings are singular points and edges, an edge of regression inside a developable strip, shape parameters outside
-    their range, folds and coinciding control points.
+    their range, folds and coinciding control points. A note is no fault of the surface and does not fail --strict.
     """
     console = session.output()
     warnings = mistakes = 0
@@ -59,7 +59,9 @@ def _tell(path: Path, model: "Model", console: "Console") -> int:
     """Print what a model is; return the number of warnings."""
     from rich.markup import escape
 
-    console.print(f"[bold]{escape(printable(model.name))}[/bold]  [dim]{escape(printable(str(path)))}[/dim]")
+    console.print(
+        f"[bold]{escape(printable(model.name))}[/bold]  [dim]{escape(printable(str(path)))}[/dim]", soft_wrap=True
+    )
     return sum(_tell_patch(patch, model, console) for patch in model.patches)
 
 
@@ -77,6 +79,8 @@ def _tell_patch(patch: "Patch", model: "Model", console: "Console") -> int:
         console.print(f"  [yellow]warning   {escape(warning)}[/yellow]", soft_wrap=True)
     if not summary.warnings:
         console.print("  [green]no warnings[/green]")
+    for note in summary.notes:
+        console.print(f"  [dim]note      {escape(note)}[/dim]", soft_wrap=True)
     return len(summary.warnings)
 
 
@@ -89,7 +93,7 @@ def _facts(patch: "Patch", unit: str, summary: "Summary") -> list[tuple[str, str
     facts = [("kind", _kind(patch)), ("size", f"{_quantity(box, unit)} along x, y, z; area {area}")]
     if not unit:
         facts.append(("unit", "none stated: plain numbers"))
-    if patch.shape:
+    if patch.shape and not _classical(patch):
         names = ("α1", "ζ1", "α2", "ζ2") if len(patch.shape) == 4 else ("α", "ζ")
         facts.append(("shape", ", ".join(f"{n} = {value:g}" for n, value in zip(names, patch.shape, strict=True))))
     facts.append(("normal", _normal(patch, summary)))
@@ -99,9 +103,13 @@ def _facts(patch: "Patch", unit: str, summary: "Summary") -> list[tuple[str, str
 
 def _kind(patch: "Patch") -> str:
     words = (type(patch.definition).__doc__ or "").splitlines()[0].rstrip(".")
-    classical = getattr(patch.definition, "basis", "") == "bernstein"
-    text = f"{words[0].lower()}{words[1:]}" + (", classical Bernstein basis" if classical else "")
+    first = words if words.partition("'")[0].lower() == patch.kind else f"{words[0].lower()}{words[1:]}"  # Enneper's
+    text = first + (", classical Bernstein basis, on which shape parameters do not act" if _classical(patch) else "")
     return text if text == patch.kind else f"{patch.kind}: {text}"
+
+
+def _classical(patch: "Patch") -> bool:
+    return getattr(patch.definition, "basis", "") == "bernstein"
 
 
 def _normal(patch: "Patch", summary: "Summary") -> str:
