@@ -203,3 +203,22 @@ def test_matplotlib_is_left_as_it_was():
         "sys.exit('matplotlib.pyplot' in sys.modules)"
     )
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+@pytest.mark.parametrize(
+    ("keys", "expected"),
+    [
+        (("gaussian",), "solid line: $K = 0$"),
+        (("mean",), "dashed line: $H = 0$"),
+        (("k1",), r"solid line: $\kappa_1 = 0$"),
+        (("gaussian", "gamma1"), r"solid line: $K = 0$, in pictures of $\gamma_1$ their own zero"),
+        (("beta1", "gamma1"), "solid line: zero of the quantity shown"),
+    ],
+)
+def test_a_picture_in_space_says_what_its_zero_lines_are(keys, expected):
+    assert expected in words(figure.panels(wavy(), keys, coarse()))
+
+
+def test_a_picture_without_zero_lines_speaks_of_none():
+    assert "line:" not in words(figure.panels(wavy(), ("curvedness", "hk_type"), coarse()))
+    assert "line:" not in words(figure.space_picture(wavy(), "gaussian", coarse(zeros=False)))

@@ -51,7 +51,7 @@ def comparison(
         columns=columns,
         titles=titles,
         title=title or panel_title(key),
-        note=note(surfaces, fields, unit, thresholds, share_outside(surfaces, box)),
+        note=note(surfaces, fields, unit, thresholds, share_outside(surfaces, box), zeros=scene.zeros),
         key="below" if fields else "none",
         key_size=key_height([fields], width - 0.2),
     )
@@ -153,7 +153,7 @@ def projections(
         widths=[across for across, _ in sizes[:columns]],
         titles=[view.view.name[:1].upper() + view.view.name[1:] for view in views],
         title=title,
-        note=note(patches, fields, unit, thresholds, share_outside(patches, box)),
+        note=note(patches, fields, unit, thresholds, share_outside(patches, box), zeros=scene.zeros),
         key="below" if fields else "none",
         key_size=key_height([fields], width),
     )

@@ -12,10 +12,11 @@ from quintrig.figure.field import Field, facet_fields, field, zero_lines
 from quintrig.figure.palette import INK, REGRESSION, UNDEFINED, Limits
 from quintrig.figure.scene import Mark
 from quintrig.figure.sheet import Area, Axes, drawable
+from quintrig.figure.wording import zeros_note
+from quintrig.quantity import quantity
 from quintrig.surface import Surface
 
 _SIZE = 7.5
-_LINES = {"gaussian": "solid line: K = 0", "mean": "dashed line: H = 0"}
 _COMPANIONS = {"gaussian": ("gaussian", "mean"), "mean": ("gaussian", "mean"), "shape_index": ("gaussian", "mean")}
 
 
@@ -61,10 +62,8 @@ def map_axes(area: Area) -> Axes:
 
 
 def lines_note(fields: Sequence[Field]) -> str:
-    """Return what the lines on maps mean, empty where there are none."""
-    keys = {key for f in fields for key in zero_keys(f)}
-    lines = [words for key, words in _LINES.items() if key in keys]
-    return "; ".join(lines)
+    """Return what the zero lines on maps mean, empty where there are none."""
+    return zeros_note([quantity(key) for f in fields for key in zero_keys(f)])
 
 
 def zero_keys(f: Field) -> tuple[str, ...]:

@@ -41,7 +41,7 @@ def space_picture(
     key_size = 0.4 if place == "below" else key_width(fields)
     box = bounds(patches, scene)
     panel = panel_size(scene.view, *box, width - 0.2 - (key_size if place == "right" else 0.0), scene.frame)
-    text = note(patches, fields, unit, thresholds, share_outside(patches, box))
+    text = note(patches, fields, unit, thresholds, share_outside(patches, box), zeros=scene.zeros)
     page = sheet(1, panel, title=title, note=text, key=place, key_size=key_size)
     draw_space(page.panels[0].axes(), patches, scene, fields=fields, stretch=stretch, unit=unit, box=box)
     if fields:
@@ -102,7 +102,7 @@ def panels(
         columns=columns,
         titles=[panel_title(key) for key in keys],
         title=title,
-        note=note(patches, drawn, unit, thresholds, share_outside(patches, box)),
+        note=note(patches, drawn, unit, thresholds, share_outside(patches, box), zeros=scene.zeros),
         key="each" if drawn else "none",
         key_size=key_height(every, panel[0]),
     )

@@ -64,14 +64,32 @@ def normal_note(surface: Surface) -> str:
     return "normal turned, against $S_u{\\times}S_v$" if surface.flip else "normal along $S_u{\\times}S_v$"
 
 
+def zeros_note(drawn: Sequence[Quantity]) -> str:
+    """Return what the lines mean at which these quantities are zero: dashed for H, solid for the others."""
+    rows = {q.key: q for q in drawn}
+    others = [q.latex for q in rows.values() if q.key not in ("gaussian", "mean")]
+    solid = ""
+    if "gaussian" in rows:
+        solid = "solid line: $K = 0$"
+        solid += f", in pictures of {', '.join(f'${name}$' for name in others)} their own zero" if others else ""
+    elif others:
+        solid = f"solid line: ${others[0]} = 0$" if len(others) == 1 else "solid line: zero of the quantity shown"
+    return "; ".join(part for part in (solid, "dashed line: $H = 0$" if "mean" in rows else "") if part)
+
+
 def note(
     surfaces: Sequence[Surface],
     fields: Sequence[Field] = (),
     unit: str = "",
     thresholds: Thresholds | None = None,
     outside: float = 0.0,
+    *,
+    zeros: bool = False,
 ) -> str:
-    """Return the line under a figure: the normal, the unit, what is grey, zero or cut off, and warnings."""
+    """Return the line under a figure: the normal, the unit, what is grey, zero or cut off, and warnings.
+
+    ``zeros`` says what the zero lines of pictures in space mean, each of which shows that of its own quantity only.
+    """
     parts: list[str] = []
     ways = {normal_note(surface) for surface in surfaces}
     if ways:
@@ -87,6 +105,8 @@ def note(
     if any(f.quantity.colour == "classes" for f in fields):
         t = thresholds or Thresholds()
         parts.append(f"zero means within {_small(t.relative)} of the curvedness, flat within {_small(t.flat)} / size")
+    if zeros and (lines := zeros_note([f.quantity for f in fields if f.quantity.colour == "diverging"])):
+        parts.append(lines)
     text = "; ".join(parts)
     warnings = [regression_note(surface) for surface in surfaces]
     if outside > 0.0:
