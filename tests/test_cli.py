@@ -116,6 +116,19 @@ def test_check_warns_and_strict_makes_it_fail():
     assert cli("check", "--strict", BOOT).code == 0
 
 
+def test_a_note_does_not_make_strict_fail():
+    result = cli("check", "--strict", EXAMPLES / "cylinder.toml")
+    assert result.code == 0
+    assert "note" in result.out
+    assert "vertical" in result.out
+    assert "no warnings" in result.out
+
+
+def test_check_tells_no_shape_parameters_where_they_do_not_act():
+    assert "α1" not in cli("check", EXAMPLES / "classical.toml").out
+    assert "α1" in cli("check", BOOT).out
+
+
 def test_check_goes_on_after_a_bad_model(tmp_path):
     bad = tmp_path / "bad.toml"
     bad.write_text('kind = "spere"')

@@ -103,6 +103,8 @@ def _begun(
     from quintrig.sweep.space import DesignSpace, parse_axis
     from quintrig.sweep.store import open_sweep
 
+    if output is None and not model.exists():
+        raise ValueError(f"{model}: no such file or folder; check the path")
     if output is None:
         raise ValueError("-o: expected a folder for the results, such as -o out/sweep")
     loaded = session.load(model)
