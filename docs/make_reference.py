@@ -1,4 +1,4 @@
-"""Write docs/reference.md and docs/quantities.md from the code: ``python docs/make_reference.py`` (a test keeps them current)."""
+"""Write docs/reference.md and docs/quantities.md from the code: ``python docs/make_reference.py``."""
 
 import inspect
 from pathlib import Path
@@ -45,8 +45,8 @@ def reference() -> str:
     rest = tuple(name for name in dir(quintrig) if name not in listed and name != "__version__")
     parts = [
         "# Reference",
-        "Everything below is `from quintrig import ...`. Lengths are in the model's unit; a power of length stands with "
-        "each result. This page is written by `docs/make_reference.py` from the docstrings.",
+        "Everything below is `from quintrig import ...`. Lengths are in the model's unit; a power of length stands "
+        "with each result. This page is written by `docs/make_reference.py` from the docstrings.",
     ]
     for chapter, names in {**CHAPTERS, "More": rest}.items():
         if names:
@@ -60,18 +60,20 @@ def quantities() -> str:
     rows = [
         "# Quantities",
         "",
-        "`analyse` computes these, by key; tables, figures, reports and the studio all read this one table. *Turning the "
-        "normal* says what `flip = true` does to the value. Written by `docs/make_reference.py`.",
+        "`analyse` computes these, by key; tables, figures, reports and the studio all read this one table. *Turning "
+        "the normal* says what `flip = true` does to the value. Written by `docs/make_reference.py`.",
         "",
         "| key | symbol | what it is | meaning | unit | turning the normal | source |",
         "|---|---|---|---|---|---|---|",
     ]
     rows += [
-        f"| `{q.key}` | {q.symbol} | {q.name} | {q.meaning} | {_power(q)} | {_turned(q)} | {q.source} |" for q in QUANTITIES
+        f"| `{q.key}` | {q.symbol} | {q.name} | {q.meaning} | {_power(q)} | {_turned(q)} | {q.source} |"
+        for q in QUANTITIES
     ]
     for q in QUANTITIES:
         if q.classes:
-            rows += ["", f"**{q.name}** (`{q.key}`): " + ", ".join(f"{i} {name}" for i, name in enumerate(q.classes)) + "."]
+            names = ", ".join(f"{i} {name}" for i, name in enumerate(q.classes))
+            rows += ["", f"**{q.name}** (`{q.key}`): {names}."]
     return "\n".join(rows) + "\n"
 
 
@@ -102,9 +104,7 @@ def _signature(name: str, thing: object) -> str:
         signature = inspect.signature(thing)
     except ValueError:
         return name
-    kept = [
-        p.replace(annotation=inspect.Parameter.empty) for p in signature.parameters.values() if p.name != "self"
-    ]
+    kept = [p.replace(annotation=inspect.Parameter.empty) for p in signature.parameters.values() if p.name != "self"]
     shown = "" if name == "__call__" else name
     return f"{shown}{signature.replace(parameters=kept, return_annotation=inspect.Signature.empty)}"
 

@@ -1,7 +1,7 @@
 """The sum at the heart of every surface: row derivatives times blend derivatives give the partial derivatives.
 
-The sizes are arguments that every driver gives as constants: inlined, they unroll the sums. (They cannot be constants of a
-function made for them: a compiled function that holds another in its closure is never found in the cache on disk.)
+The sizes are arguments that every driver gives as constants: inlined, they unroll the sums. (They cannot be constants
+of a function made for them: a compiled function that holds another in its closure is never found in the disk cache.)
 """
 
 from quintrig.arrays import FloatArray
@@ -15,9 +15,9 @@ Partials = tuple[Three, Three, Three, Three, Three, Three]
 def partials(r: FloatArray, d: FloatArray, k: int, size: int, block: int, stride: int, step: int) -> Partials:
     """Return S, S_u, S_v, S_uu, S_uv, S_vv of point k of a block, for a surface of ``size`` rows.
 
-    ``r`` holds the row derivatives, ordered (derivative, row, coordinate): with ``stride`` 1 and ``step`` 0 one number each
-    for the whole block, as along a row of a grid, where u is fixed; with ``stride`` ``block`` and ``step`` 1 one for each
-    point. ``d`` holds the blend derivatives, ordered (derivative, row, point).
+    ``r`` holds the row derivatives, ordered (derivative, row, coordinate): with ``stride`` 1 and ``step`` 0 one number
+    each for the whole block, as along a row of a grid, where u is fixed; with ``stride`` ``block`` and ``step`` 1 one
+    for each point. ``d`` holds the blend derivatives, ordered (derivative, row, point).
     """
     px = py = pz = ux = uy = uz = vx = vy = vz = 0.0
     uux = uuy = uuz = uvx = uvy = uvz = vvx = vvy = vvz = 0.0

@@ -13,7 +13,6 @@ import numpy as np
 
 from quintrig.compiled import scalar
 
-
 Three = tuple[float, float, float]
 Frame = tuple[Three, float, Three, Three]
 """n, 1/W, (E, F, G), (L, M, N) of a point."""

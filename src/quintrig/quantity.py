@@ -7,14 +7,14 @@ from quintrig.classify import HK_TYPES, INVARIANT_TYPES, POINT_TYPES, SHAPE_CLAS
 from quintrig.errors import nearest
 
 Parity = Literal["even", "odd", "swap", "mirror"]
-"""What turning the normal does: nothing, a change of sign, exchange with ``partner`` (κ1 ↔ -κ2), the mirrored class."""
+"""What turning the normal does: nothing, a new sign, exchange with ``partner`` (κ1 ↔ -κ2), the mirrored class."""
 
 Colour = Literal["diverging", "sequential", "classes", "vector"]
 
 
 @dataclass(frozen=True)
 class Quantity:
-    """One row of the table: ``power`` is the power of length in the unit, ``classes`` names the codes 0, 1, 2 and on."""
+    """One row of the table: ``power`` is the power of length in the unit, ``classes`` names the codes 0, 1, ..., n."""
 
     key: str
     symbol: str
@@ -54,7 +54,14 @@ def _invariants(suffix: str, mark: str, metric: str) -> tuple[Quantity, ...]:
         ("beta2", "β2", r"\beta_2", "Hessian determinant", "dome or bowl (+), developable (0), saddle (-)", -2),
         ("gamma1", "γ1", r"\gamma_1", "bending along steepest descent", "convex (+) or concave (-) downhill", -1),
         ("gamma2", "γ2", r"\gamma_2", "twist of steepest descent", "0 on crest and trough lines", -1),
-        ("gamma3", "γ3", r"\gamma_3", "bending along the contour", "hollow (+) or spur (-): rises or falls to both sides along the contour", -1),
+        (
+            "gamma3",
+            "γ3",
+            r"\gamma_3",
+            "bending along the contour",
+            "hollow (+) or spur (-): rises or falls to both sides along the contour",
+            -1,
+        ),
     )
     return tuple(
         Quantity(
