@@ -15,7 +15,7 @@ _RAISED = re.compile(
     r"|\^\((?P<power>\d/\d)\)"
     r"|(?P<order>&[lg]t;=)"
     r"|(?P<letter>(?<![\w&./])[KHSCEFGLMNRuvnxyz](?![A-Za-z0-9_]|\.\w|&#39;))"
-    r"|(?P<minus>(?<![\w.)\]²])-(?=[\d.])|(?<= )-(?= )|(?<=\()-(?=\)))|(?P<mark>ˢ)"
+    r"|(?P<minus>(?<![\w.)\]²])-(?=[\d.])|(?<= )-(?= )|(?<=\()-(?=\))|^-$)|(?P<mark>ˢ)"
 )
 
 
@@ -140,6 +140,7 @@ def _set(match: re.Match[str]) -> str:
     if part["mantissa"]:
         power = str(ten(int(part["exponent"])))
         result = power if part["mantissa"] == "1" else f"{_signed(part['mantissa'])}\u202f×\u202f{power}"
+        result = "0" if float(part["mantissa"]) == 0.0 else result
     elif part["greek"]:
         result = f"<i>{part['greek']}</i><sub>{part['index']}</sub>" + ("<sup>S</sup>" if part["own"] else "")
     elif part["partial"] or part["part"]:

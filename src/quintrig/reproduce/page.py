@@ -16,6 +16,7 @@ from quintrig.classify import Thresholds
 from quintrig.errors import QuintrigError
 from quintrig.figure import to_bytes
 from quintrig.files import write_whole
+from quintrig.report.wording import prose
 from quintrig.reproduce.figures import draw
 from quintrig.reproduce.inventory import Item, inventory, labelled_points, model, model_text
 from quintrig.reproduce.tables import Rows, tables
@@ -110,6 +111,7 @@ def _build(item: Item, folder: Path) -> Built:
 
 def _page(built: list[Built], names: list[str]) -> str:
     environment = Environment(autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
+    environment.filters["prose"] = prose
     template = environment.from_string((files("quintrig.reproduce") / "page.html.j2").read_text(encoding="utf-8"))
     chapters = {
         "Chapter 2: basis, curves, surfaces": [b for b in built if b.item.number.startswith("2.")],
