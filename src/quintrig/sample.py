@@ -111,7 +111,7 @@ def analyse(
     per_size = 1.0 / size if size > 0.0 else math.inf
     settings = (
         surface.sign,
-        SINGULAR * size * size,
+        SINGULAR * size * size if size > 0.0 else math.inf,  # a single point has no tangent plane at all
         thresholds.relative,
         thresholds.flat * per_size,
         _NOISE * per_size,

@@ -145,7 +145,9 @@ class Surface:
             return 0.0
         away = np.abs(points - np.median(points, axis=0)).max(axis=-1)
         near = away <= (1e6 * np.median(away) or np.inf)
-        return float(np.linalg.norm(np.ptp(points[near], axis=0)))
+        diagonal = float(np.linalg.norm(np.ptp(points[near], axis=0)))
+        # What is left of a single point after rounding is no size.
+        return diagonal if diagonal > 32 * np.finfo(np.float64).eps * np.abs(points[near]).max() else 0.0
 
 
 def _projected(blended: FloatArray) -> FloatArray:
