@@ -12,7 +12,20 @@ from matplotlib.colors import to_rgb
 import quintrig
 from quintrig.basis import Trigonometric
 from quintrig.classify import HK_TYPES
-from quintrig.figure import camera, curve, diagram, edge, field, frame, scene, sheet, space, wording
+from quintrig.figure import (
+    beside,
+    camera,
+    curve,
+    diagram,
+    edge,
+    field,
+    frame,
+    scene,
+    sheet,
+    space,
+    to_png_bytes,
+    wording,
+)
 from quintrig.quantity import quantity
 from quintrig.surface import Surface
 
@@ -313,3 +326,17 @@ def test_each_patch_of_the_scale_is_of_its_class(index):
 def test_colours_of_a_family_differ():
     for count in (1, 3, 4, 8):
         assert len({to_rgb(colour) for colour in curve.family_colours(count)}) == count
+
+
+def test_points_that_differ_by_rounding_frame_one_point():
+    low = np.array([1.0, 2.0, 3.0])
+    first, last = scene.settled(low, low * (1.0 + 1e-15))
+    assert np.array_equal(first, last)
+    first, last = scene.settled(low, low + 1e-6)
+    assert np.all(last > first)
+
+
+def test_points_side_by_side_are_drawn():
+    points = [quintrig.tensor(np.full((6, 6, 3), 1.1), shape) for shape in ((1, 1, 1, 1), (1, 0, -2, -3))]
+    picture = to_png_bytes(beside.comparison(points, ["first", "second"]), 40)
+    assert picture.startswith(b"\x89PNG")

@@ -15,7 +15,7 @@ from quintrig.figure.flat import draw_colours, draw_map, draw_marks, dress, line
 from quintrig.figure.frame import equal_scale, panel_size, stacked_scale
 from quintrig.figure.legend import draw_class_list, draw_key, key_height, list_height
 from quintrig.figure.palette import SERIES
-from quintrig.figure.scene import Box, Mark, Scene, bounds, share_outside
+from quintrig.figure.scene import Box, Mark, Scene, bounds, settled, share_outside
 from quintrig.figure.sheet import columns_for, sheet
 from quintrig.figure.space import draw_space
 from quintrig.figure.whole import panel_title, several
@@ -190,4 +190,4 @@ def overlay(
 
 def _union(boxes: Sequence[Box]) -> Box:
     lows, highs = zip(*boxes, strict=True)
-    return np.min(lows, axis=0), np.max(highs, axis=0)
+    return settled(np.min(lows, axis=0), np.max(highs, axis=0))

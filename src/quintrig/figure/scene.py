@@ -76,9 +76,13 @@ def bounds(surfaces: Sequence[Surface], scene: Scene) -> Box:
         return np.zeros(3), np.ones(3)
     cloud = np.concatenate(clouds)
     low, high = np.nanmin(cloud, axis=0), np.nanmax(cloud, axis=0)
-    if np.linalg.norm(high - low) <= _NOISE * np.abs(cloud).max(initial=0.0):
-        return low, low.copy()  # one point, to rounding
-    return low, high
+    return settled(low, high)
+
+
+def settled(low: FloatArray, high: FloatArray) -> Box:
+    """Return the box, or one corner (3,) twice where it is a single point, to rounding."""
+    largest = max(float(np.abs(low).max()), float(np.abs(high).max()))
+    return (low, low.copy()) if np.linalg.norm(high - low) <= _NOISE * largest else (low, high)
 
 
 def share_outside(surfaces: Sequence[Surface], box: Box) -> float:
