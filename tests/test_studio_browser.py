@@ -400,17 +400,118 @@ def test_a_picture_of_any_size(context, served, tmp_path):
     assert len(image.getcolors(900 * 500)) > 500
 
 
-def test_exports_through_the_server(context, served, tmp_path):
-    page = opened(context, served.site.address)
-    page.wait_for_timeout(300)
+def opened_model(page, keys):
+    """Open a model, given as the keys of its file, in the page."""
+    page.evaluate(
+        """async (keys) => { const s = await import('/studio.js');
+        document.querySelector('[data-quintrig]').studio.receive(s.fromDict(keys)); }""",
+        keys,
+    )
+    page.evaluate(DRAW)
+
+
+def exported(page, family, label, folder):
+    """Export by the menu; return the file and what the page says of it."""
     page.get_by_role("button", name="Export").click()
-    entry = page.get_by_role("menuitem", name="STL")
-    if not entry.count():
-        pytest.skip("the exchange package writes no STL here")
+    assert page.locator(".menu-title", has_text=family).count() == 1
     with page.expect_download() as waiting:
-        entry.click()
-    waiting.value.save_as(tmp_path / "lid.stl")
-    assert (tmp_path / "lid.stl").stat().st_size > 10_000
+        page.get_by_role("menuitem", name=label).click()
+    target = folder / waiting.value.suggested_filename
+    waiting.value.save_as(target)
+    told = page.locator(".banner.message").filter(has_text=f"Exported {target.name}")
+    told.wait_for()
+    return target, told.inner_text()
+
+
+def test_exports_through_the_server_are_read_by_others(context, served, tmp_path):
+    for reader in ("OCP", "ezdxf", "trimesh"):
+        pytest.importorskip(reader)
+    import ezdxf
+    import trimesh
+
+    from quintrig.exchange.imports import open_model
+    from quintrig.rational import RIGHT_ANGLE
+
+    page = opened(context, served.site.address)
+    page.get_by_label("alpha 1, number").fill("-1")  # what is shown is exported, not what was saved
+    page.keyboard.press("Enter")
+    page.get_by_label("Colour by").select_option("mean")
+    until(page, "document.querySelector('[data-quintrig]').studio.files.formats.length > 0")
+    lid = quintrig.Model.from_dict({**quintrig.load(MODEL).to_dict(), "shape": [-1, 1, 0, 0]})
+
+    step, told = exported(page, "CAD", "STEP", tmp_path)
+    kept(page, "exported")
+    assert step.name == "car_boot_lid.step"
+    assert "read back, largest deviation" in told
+    again = open_model(step)
+    assert again.unit == "mm"
+    x = np.linspace(0, 1, 9)
+    expected = lid.surface(*np.ix_(RIGHT_ANGLE.backward(x), RIGHT_ANGLE.backward(x)))
+    np.testing.assert_allclose(again.surface(*np.ix_(x, x)), expected, rtol=0, atol=1e-9)
+
+    glb, told = exported(page, "Mesh", "glTF", tmp_path)
+    assert "chord measured" in told
+    assert "colours show mean curvature" in told
+    mesh = trimesh.load(glb, force="mesh")
+    wide = np.ptp(expected.reshape(-1, 3), axis=0).max()
+    assert np.ptp(mesh.vertices, axis=0).max() == pytest.approx(wide / 1000, rel=0.01)  # glTF is in metres
+    least = quintrig.analyse(lid.surface, *quintrig.grid(60, 60))["mean"].min()
+    assert mesh.vertex_attributes["_MEAN"].min() == pytest.approx(least, rel=0.05)  # curvature goes along
+
+    page.get_by_role("button", name="Export").click()
+    page.get_by_role("menuitem", name="DXF").click()
+    page.get_by_role("alert").filter(has_text="no straight rulings").wait_for()  # a boot lid has no flat pattern
+
+    archive, told = exported(page, "Control net", "CSV", tmp_path)
+    assert archive.suffix == ".zip"
+    assert "2 files in one ZIP" in told
+
+    opened_model(page, {"kind": "cylinder", "radius": 10, "height": 40, "unit": "mm", "name": "Pipe"})
+    dxf, told = exported(page, "Flat pattern", "DXF", tmp_path)
+    assert "changed by" in told
+    document = ezdxf.readfile(dxf)
+    assert not document.audit().errors
+    outline = [e for e in document.modelspace() if e.dxftype() == "LWPOLYLINE"]
+    wide = max(np.ptp([p[:2] for p in e.get_points()], axis=0).max() for e in outline)
+    assert wide == pytest.approx(20 * np.pi, rel=1e-6)
+
+
+TENSOR = {"kind": "tensor", "points": [[[i, j, (i - 2.5) ** 2 + (j - 2.5) ** 2] for j in range(6)] for i in range(6)]}
+
+
+def test_the_words_on_the_normal_are_pythons(context, served):
+    from quintrig import signs
+    from quintrig.table import normal_note
+
+    names = quintrig.quantity.BY_KEY["hk_type"].classes
+    words = {row[0]: row[-1] for row in signs.TYPES.rows}
+    page = opened(context, served.site.address)
+    seen = set()
+    for keys in ({"kind": "sphere"}, {"kind": "cylinder"}, {"kind": "torus"}, {"kind": "enneper"}, TENSOR):
+        for flip in (False, True):
+            opened_model(page, {**keys, "flip": flip})
+            surface = quintrig.Model.from_dict({**keys, "flip": flip}).surface
+            side = "against" if "against" in normal_note(quintrig.analyse(surface, 0.3, 0.3)) else "along"
+            assert page.locator(".status").inner_text().startswith(f"Normal {side} Su × Sv"), (keys["kind"], flip)
+            box = page.locator("canvas.view").bounding_box()
+            page.mouse.move(box["x"] + 0.42 * box["width"], box["y"] + 0.5 * box["height"])
+            until(page, "document.querySelector('[data-quintrig]').studio.store.state.hover !== null")
+            page.evaluate(DRAW)
+            at = state(page, "hover")
+            name = names[int(quintrig.analyse(surface, at["u"], at["v"])["hk_type"])]
+            told = page.locator(".tip").inner_text()
+            assert name in told
+            assert words[name] in told
+            seen.add((keys["kind"], side, name))
+            page.mouse.move(box["x"] + 5, box["y"] + 5)
+            page.evaluate(DRAW)
+            page.get_by_label("u to pin").evaluate("e => e.closest('details').open = true")
+            page.get_by_role("button", name="Pin the point").click()
+            with page.expect_download() as waiting:
+                page.get_by_role("button", name="Save the table as CSV").click()
+            assert f"normal {side} S_u x S_v" in Path(waiting.value.path()).read_text()
+    assert ("sphere", "against", "peak") in seen
+    assert ("sphere", "along", "pit") in seen
 
 
 def test_every_control_has_a_name_and_shows_its_focus(context, served):

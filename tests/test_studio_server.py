@@ -1,6 +1,8 @@
 """The studio's server: what it serves, and to whom."""
 
+import base64
 import http.client
+import io
 import json
 import signal
 import subprocess
@@ -9,6 +11,7 @@ import threading
 import time
 import urllib.error
 import urllib.request
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -227,14 +230,49 @@ def test_the_port_stays_the_same_for_a_model(tmp_path):
     assert server.site(tmp_path / "a.toml").port == server.site(tmp_path / "a.toml").port
 
 
-def test_exports_are_offered_only_where_they_can_be_written(running):
-    offered = running.json("GET", "/api/formats")[1]["formats"]
-    assert "nonsense" not in [one["key"] for one in offered]
-    status, answer = running.json("POST", "/api/export/nonsense", {"text": MODEL})
+def order(suffix, text=MODEL):
+    """What the page sends for an export."""
+    return {"text": text, "suffix": suffix, "patch": "A tent", "colour": ""}
+
+
+def test_exports_are_those_of_the_exchange_package(running):
+    from quintrig.exchange import export, flatten
+    from quintrig.exchange.formats import FAMILIES, FORMATS, suffixes
+
+    assert {*export.SUFFIXES, *flatten.SUFFIXES} == {*suffixes(*FAMILIES)}
+    offered = [one["suffix"] for one in running.json("GET", "/api/formats")[1]["formats"]]
+    assert offered == [one.suffix for one in FORMATS if one.installed and one.family != "model"]
+    assert {".stl", ".obj", ".ply", ".glb", ".svg", ".csv"} <= set(offered)
+    for suffix in offered:
+        status, answer = running.json("POST", "/api/export", order(suffix, MODEL.replace('"m"', '"mm"')))
+        if status == 200:
+            assert base64.b64decode(answer["content"])
+            assert answer["name"] == f"a_tent{suffix}"
+        else:  # a net of control points is all that this kind may lack
+            assert suffix == ".csv"
+            assert "no control points" in answer["error"]
+
+
+@pytest.mark.parametrize("suffix", ["nonsense", "", ".toml", "../x.stl", ".stl/../../x"])
+def test_an_unknown_format_is_refused_in_one_line(running, suffix):
+    status, answer = running.json("POST", "/api/export", order(suffix))
     assert status == 500
-    assert "nonsense" in answer["error"]
-    for one in offered:
-        if one["key"] in ("stl", "obj"):
-            status, _, content = running.ask("POST", f"/api/export/{one['key']}", {"text": MODEL})
-            assert status == 200
-            assert len(content) > 1000
+    assert "\n" not in answer["error"]
+    assert "offered" in answer["error"]
+
+
+def test_what_cannot_be_exported_says_why_without_our_folder(running):
+    status, answer = running.json("POST", "/api/export", order(".svg", 'kind = "sphere"'))
+    assert status == 422
+    assert answer["error"].startswith("SVG drawing: ")
+    assert "quintrig-" not in answer["error"]
+
+
+def test_several_files_are_one_archive(running):
+    pair = 'kind = "ruled"\nfirst = [[0,0,0],[1,0,0],[2,0,0],[3,0,0],[4,0,0],[5,0,0]]\n'
+    text = pair + "second = [[0,1,0],[1,1,0],[2,1,0],[3,1,0],[4,1,0],[5,1,1]]\n"
+    status, answer = running.json("POST", "/api/export", order(".csv", text))
+    assert status == 200
+    with zipfile.ZipFile(io.BytesIO(base64.b64decode(answer["content"]))) as archive:
+        assert sorted(archive.namelist()) == ["ruled-first.csv", "ruled-second.csv"]
+    assert answer["notes"][0].startswith("2 files in one ZIP")

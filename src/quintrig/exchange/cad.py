@@ -9,12 +9,13 @@ from quintrig.errors import QuintrigError
 from quintrig.exchange.carrier import Carrier, carriers
 from quintrig.exchange.deviation import deviations
 from quintrig.exchange.fit import FitOptions
+from quintrig.exchange.formats import suffixes
 from quintrig.exchange.isolated import read_here
 from quintrig.exchange.units import ASSUMED
 from quintrig.files import write_whole
 from quintrig.model import Model
 
-SUFFIXES = (".step", ".stp", ".iges", ".igs", ".brep", ".3dm")
+SUFFIXES = suffixes("cad")
 """Endings of the CAD files that can be written."""
 
 _LARGEST_DEVIATION = 1e-12

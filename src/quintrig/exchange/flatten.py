@@ -7,12 +7,13 @@ import numpy as np
 
 from quintrig.arrays import FloatArray
 from quintrig.errors import QuintrigError
+from quintrig.exchange.formats import suffixes
 from quintrig.exchange.pattern import PatternOptions, drawing
 from quintrig.files import write_whole
 from quintrig.model import Patch
 from quintrig.unroll import ALLOWED, Pattern, Sheet, unroll
 
-SUFFIXES = (".dxf", ".svg", ".pdf")
+SUFFIXES = suffixes("pattern")
 """Endings of the pattern files that can be written."""
 
 

@@ -8,13 +8,14 @@ import numpy as np
 
 from quintrig.arrays import FloatArray
 from quintrig.exchange import mesh_files
+from quintrig.exchange.formats import suffixes
 from quintrig.exchange.units import stated
 from quintrig.files import write_whole
 from quintrig.mesh import Mesh, mesh
 from quintrig.model import Model
 from quintrig.quantity import Quantity, quantity
 
-SUFFIXES = (".stl", ".obj", ".ply", ".glb", ".vtu")
+SUFFIXES = suffixes("mesh")
 """Endings of the mesh files that can be written."""
 
 QUANTITIES = ("gaussian", "mean", "k1", "k2", "shape_index", "curvedness")

@@ -12,12 +12,13 @@ from quintrig.basis import Trigonometric
 from quintrig.bspline import normalised
 from quintrig.errors import ModelError, QuintrigError, nearest
 from quintrig.exchange.faces import SpaceCurve
+from quintrig.exchange.formats import suffixes
 from quintrig.exchange.toml import to_toml
 from quintrig.files import write_whole
 from quintrig.model import Model, read_text
 from quintrig.rational import RIGHT_ANGLE
 
-SUFFIXES = (".csv", ".json", ".toml")
+SUFFIXES = suffixes("net", "model")
 """Endings of the files that hold control nets: numbers alone, or whole models."""
 
 

@@ -19,7 +19,8 @@ from quintrig.definition import CONSTRUCTIONS, KINDS, Definition
 from quintrig.figure import palette
 from quintrig.files import write_whole
 from quintrig.model import SCHEMA_VERSION, UNITS, load
-from quintrig.quantity import QUANTITIES, Quantity
+from quintrig.quantity import BY_KEY, QUANTITIES, Quantity
+from quintrig.signs import CLASSES, POINTS, TYPES, SignTable
 from quintrig.starter import starter
 from quintrig.studio.page import as_json
 
@@ -28,6 +29,9 @@ SHAPE_SETS: dict[int, tuple[tuple[float, ...], ...]] = {
     2: ((1.0, 1.0), (0.0, -4.0), (-2.0, 0.0), (-2.0, -4.0)),
 }
 """The four sets of shape parameters that the thesis compares (figures 4.3-4.6 and 4.29-4.32), by their number."""
+
+WORDS: dict[str, SignTable] = {"point_type": POINTS, "hk_type": TYPES, "shape_class": CLASSES}
+"""The tables of signs that say in words what the types of a classification look like."""
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 """The example models of the repository, which become the presets when the bundle is built."""
@@ -42,6 +46,7 @@ def table() -> dict[str, Any]:
         "shapeRange": list(SHAPE_RANGE),
         "shapeSets": {str(count): [list(one) for one in sets] for count, sets in SHAPE_SETS.items()},
         "quantities": [_quantity(q) for q in QUANTITIES],
+        "words": {key: _words(BY_KEY[key], signs) for key, signs in WORDS.items()},
         "kinds": {name: _kind(form) for name, form in KINDS.items()},
         "palette": {
             "undefined": palette.UNDEFINED,
@@ -72,6 +77,12 @@ def _quantity(q: Quantity) -> dict[str, Any]:
         "components": q.components,
         "classes": list(q.classes),
     }
+
+
+def _words(q: Quantity, signs: SignTable) -> list[str]:
+    """Return what each type of a classification looks like, empty where the table does not say."""
+    said = {row[0]: row[-1] for row in signs.rows}
+    return [said.get(name, "") for name in q.classes]
 
 
 def _kind(form: type[Definition]) -> dict[str, Any]:

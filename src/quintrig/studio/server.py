@@ -1,5 +1,6 @@
 """The live studio's server: one page, one script and a small interface over one folder. It keeps no state."""
 
+import base64
 import hashlib
 import json
 import secrets
@@ -17,6 +18,7 @@ from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
 
 from quintrig.errors import ModelError, QuintrigError
+from quintrig.exchange.formats import FAMILIES
 from quintrig.studio import exports, folder, page
 from quintrig.studio.guard import App, Guard, TooLarge
 
@@ -95,15 +97,16 @@ def application(where: Site) -> App:
         return JSONResponse({"model": read.to_dict()})
 
     async def formats(_: Request) -> Response:
-        return JSONResponse(
-            {"formats": [{"key": f.key, "label": f.label, "suffix": f.suffix} for f in exports.formats()]}
-        )
+        rows = [{"suffix": f.suffix, "label": f.label, "family": FAMILIES[f.family]} for f in exports.formats()]
+        return JSONResponse({"formats": rows})
 
     async def export(request: Request) -> Response:
-        body = await _body(request, "text")
+        body = await _body(request, "text", "suffix", "patch", "colour")
         drawn = await anyio.to_thread.run_sync(folder.checked, "model.toml", body["text"])
-        content = await anyio.to_thread.run_sync(exports.export, drawn, request.path_params["key"])
-        return Response(content, media_type="application/octet-stream")
+        chosen = (body["suffix"], body["patch"] or None, body["colour"] or None)
+        made = await anyio.to_thread.run_sync(exports.export, drawn, *chosen)
+        content = base64.b64encode(made.content).decode()
+        return JSONResponse({"name": made.name, "notes": made.notes, "content": content})
 
     routes = [
         Route("/", index),
@@ -116,7 +119,7 @@ def application(where: Site) -> App:
         Route("/api/files/{name:path}", save, methods=["PUT"]),
         Route("/api/check", check, methods=["POST"]),
         Route("/api/formats", formats),
-        Route("/api/export/{key}", export, methods=["POST"]),
+        Route("/api/export", export, methods=["POST"]),
     ]
     inner = Starlette(
         routes=routes,

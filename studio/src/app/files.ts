@@ -7,7 +7,7 @@ import type { Item } from "../ui/controls";
 import { ask, askName, askPicture, type PictureChoice } from "../ui/dialogs";
 import { download, fileName, h } from "../ui/dom";
 import { Conflict, type Format, type Host } from "./host";
-import type { Store } from "./state";
+import { activePatch, type Store } from "./state";
 
 const LARGEST = 16 * 2 ** 20;
 
@@ -49,7 +49,19 @@ export class Files {
   exportItems(): (Item | string)[] {
     if (this.host.kind !== "live") return [{ label: "Exports need the live studio", hint: "quintrig view MODEL", disabled: true, act: () => {} }];
     if (!this.formats.length) return [{ label: "No exporter is installed", hint: "pip install 'quintrig[cad]'", disabled: true, act: () => {} }];
-    return ["Export as", ...this.formats.map((format) => ({ label: format.label, hint: `.${format.suffix}`, act: () => void this.guard(() => this.host.export(this.store.state.model, format)) }))];
+    const families = [...new Set(this.formats.map((format) => format.family))];
+    return families.flatMap((family) => [family, ...this.formats.filter((format) => format.family === family).map((format) => ({
+      label: format.label, hint: format.suffix, act: () => void this.guard(() => this.export(format)),
+    }))]);
+  }
+
+  /** Let the server write a file of the model as it is now, and tell what it tells. */
+  private async export(format: Format): Promise<void> {
+    const { model, settings } = this.store.state;
+    this.store.set({ message: { kind: "note", text: `Writing ${format.label} …`, lines: [] } });
+    const order = { model, patch: activePatch(this.store.state).name, colour: settings.quantity === "none" ? "" : settings.quantity };
+    const { name, notes } = await this.host.export(order, format);
+    this.store.set({ message: { kind: "note", text: `Exported ${name}`, lines: notes } });
   }
 
   /** Start on a preset or starter. */

@@ -5,10 +5,25 @@ import { fromToml, toToml } from "../toml";
 import { download, fileName } from "../ui/dom";
 import type { Source } from "./state";
 
+/** A kind of file that can be exported to, as in Python's table. */
 export interface Format {
-  readonly key: string;
-  readonly label: string;
+  /** The ending, with its dot. */
   readonly suffix: string;
+  readonly label: string;
+  readonly family: string;
+}
+
+/** What an export is of: a flat pattern is of one patch, a mesh is coloured by a quantity. */
+export interface Order {
+  readonly model: Model;
+  readonly patch: string;
+  readonly colour: string;
+}
+
+/** The file that was handed over, and what to tell about it. */
+export interface Delivered {
+  readonly name: string;
+  readonly notes: readonly string[];
 }
 
 export interface Opened {
@@ -31,7 +46,7 @@ export interface Host {
   /** Save under a name; null where saving is a download. Conflict when the file on disk is another than was read. */
   save(name: string, model: Model, tag: string | null): Promise<Source | null>;
   formats(): Promise<readonly Format[]>;
-  export(model: Model, format: Format): Promise<void>;
+  export(order: Order, format: Format): Promise<Delivered>;
 }
 
 /** A page without a server: files are read here and saved as downloads. */
@@ -59,7 +74,7 @@ export class PageHost implements Host {
     return Promise.resolve([]);
   }
 
-  export(): Promise<void> {
+  export(): Promise<Delivered> {
     return Promise.reject(new Error("exports need the live studio: quintrig view MODEL"));
   }
 }
@@ -91,9 +106,11 @@ export class LiveHost implements Host {
     return ((await this.ask("GET", "api/formats")) as { formats: Format[] }).formats;
   }
 
-  async export(model: Model, format: Format): Promise<void> {
-    const answer = await this.send("POST", `api/export/${format.key}`, JSON.stringify({ text: toToml(model) }));
-    download(`${fileName(model.name)}.${format.suffix}`, await answer.blob());
+  async export({ model, patch, colour }: Order, { suffix }: Format): Promise<Delivered> {
+    const body = JSON.stringify({ text: toToml(model), suffix, patch, colour });
+    const { name, notes, content } = (await this.ask("POST", "api/export", body)) as Delivered & { content: string };
+    download(name, new Blob([Uint8Array.from(atob(content), (letter) => letter.charCodeAt(0))]));
+    return { name, notes };
   }
 
   private async ask(method: string, path: string, body?: string): Promise<unknown> {

@@ -37,7 +37,14 @@ export interface State {
   readonly moving: boolean;
   /** How many models were opened. */
   readonly opened: number;
-  readonly message: { readonly text: string; readonly kind: "error" | "note" } | null;
+  readonly message: Message | null;
+}
+
+/** What is told at the top of the picture; `lines` stay until they are closed. */
+export interface Message {
+  readonly text: string;
+  readonly kind: "error" | "note";
+  readonly lines?: readonly string[];
 }
 
 export type Listener = (now: State, before: State) => void;

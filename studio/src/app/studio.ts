@@ -179,9 +179,10 @@ export class Studio {
     this.inspector.refresh(state, this.dark);
     this.model.refresh(state);
     this.hud.labels(shown.map((one) => one.label));
+    const surface = this.stage.cells[0]?.pieces[state.patch]?.surface ?? null;
     this.status.refresh(state, {
       side, cost: this.cost, singular: meshes.reduce((sum, mesh) => sum + mesh.singular, 0), points: meshes.reduce((sum, mesh) => sum + mesh.grid.count, 0),
-      sharp: this.sharp[0]?.at ?? null, warning: warningOf(state, this.stage.cells[0]?.pieces[state.patch]?.surface ?? null),
+      sharp: this.sharp[0]?.at ?? null, surface, warning: warningOf(state, surface),
     });
   }
 

@@ -23,6 +23,9 @@ export interface Quantity {
 export const QUANTITIES = data.quantities as readonly Quantity[];
 export const QUANTITY: Readonly<Record<string, Quantity>> = Object.fromEntries(QUANTITIES.map((q) => [q.key, q]));
 
+/** What the types of a classification look like, in the words of Python's tables of signs; empty where they say nothing. */
+export const wordsOf = (key: string, code: number): string => (data.words as Readonly<Record<string, readonly string[]>>)[key]?.[code] ?? "";
+
 /** The unit of a quantity in text, such as `1/mm²`; empty for a pure number or where the model has no unit. */
 export function unitOf(quantity: Quantity, length: string): string {
   if (!length || quantity.power === 0) return "";

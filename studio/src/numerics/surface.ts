@@ -54,6 +54,9 @@ export interface Surface {
   readonly net: Points | null;
 }
 
+/** Which way the normal points, against or along S_u × S_v; closed forms turn it outwards by themselves. */
+export const normalSide = (surface: Surface): "along" | "against" => (surface.flip ? "against" : "along");
+
 const SIDE = 17;
 const STEPS = Float64Array.from({ length: SIDE }, (_, i) => i / (SIDE - 1));
 

@@ -1,7 +1,7 @@
 /** What lies over the picture: view buttons, cell labels, axes, pins, the point under the pointer, the smallest radius. */
 
 import type { State, Store } from "../app/state";
-import { QUANTITY } from "../numerics/quantity";
+import { QUANTITY, wordsOf } from "../numerics/quantity";
 import type { ViewName } from "../view/camera";
 import { toScene, type Frame } from "../view/frame";
 import type { Sharpest } from "../view/radius";
@@ -84,7 +84,8 @@ export class Hud {
       h("table", {}, ...keys.map((key) => {
         const q = QUANTITY[key]!;
         return row(q.colour === "classes" ? q.name : symbol(q.latex), valueText(q, sample[key]![0]!), unitText(q, state.model.unit));
-      })));
+      })),
+      h("div", { class: "tip-words" }, wordsOf("hk_type", sample["hk_type"]![0]!)));
     this.tip.hidden = false;
     const bound = this.element.getBoundingClientRect(), size = this.tip.getBoundingClientRect();
     const x = hover.x + 18 + size.width > bound.width ? hover.x - 18 - size.width : hover.x + 18;

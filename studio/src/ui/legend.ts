@@ -1,6 +1,6 @@
 /** What the colours mean: a scale with histogram for real quantities, a list of types for classes. */
 
-import { QUANTITY } from "../numerics/quantity";
+import { QUANTITY, wordsOf } from "../numerics/quantity";
 import type { Range } from "../view/range";
 import { BACK, classColours, css, FRONT, mapColours, UNDEFINED } from "./colours";
 import { h } from "./dom";
@@ -59,7 +59,7 @@ export class Legend {
     this.element.replaceChildren(
       h("div", { class: "legend-title" }, h("span", {}, capital(q.name))),
       h("ul", { class: "types" }, ...rows.map(({ name, code }) =>
-        h("li", { class: counts[code] ? "" : "absent" }, swatch(css(colours[code]!)), h("span", {}, name), h("span", { class: "share" }, counts[code] ? percent(counts[code]! / total) : "–")))),
+        h("li", { class: counts[code] ? "" : "absent", title: wordsOf(key, code) || false }, swatch(css(colours[code]!)), h("span", {}, name), h("span", { class: "share" }, counts[code] ? percent(counts[code]! / total) : "–")))),
     );
   }
 

@@ -1,9 +1,10 @@
 /** The probe: what is under the pointer, and a table of pinned points. */
 
 import type { Pin, State, Store } from "../app/state";
-import { build, type Model } from "../numerics/model";
+import { build, type Model, type Patch } from "../numerics/model";
 import { QUANTITIES, QUANTITY, type Quantity } from "../numerics/quantity";
 import { analyse, type Sample } from "../numerics/sample";
+import { normalSide } from "../numerics/surface";
 import { button, numberField, toggle } from "./controls";
 import { download, fileName, h, icon, ICONS } from "./dom";
 import { capital, short, symbol, unitText, valueText } from "./format";
@@ -14,6 +15,9 @@ const USUAL = ["gaussian", "mean", "k1", "k2", "shape_index", "curvedness", "hk_
 export function probe(model: Model, pin: Pin): Sample {
   return analyse(build(model.patches[pin.patch]!), [pin.u], [pin.v], true);
 }
+
+const normalOf = (patch: Patch, named: boolean): string =>
+  `normal ${normalSide(build(patch))} S_u x S_v${named ? ` on ${patch.name.replaceAll("\n", " ")}` : ""}`;
 
 export class ProbePanel {
   readonly element: HTMLElement;
@@ -87,7 +91,7 @@ export class ProbePanel {
     const units = columns.map(({ q }) => [q.key, unitText(q, model.unit)] as const).filter(([, unit]) => unit);
     const quoted = (text: string) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
     const lines = [
-      `# ${model.name.replaceAll("\n", " ")}: normal along S_u x S_v, against it on flipped patches`,
+      `# ${model.name.replaceAll("\n", " ")}: ${[...new Set(pins.map((pin) => pin.patch))].map((at) => normalOf(model.patches[at]!, model.patches.length > 1)).join(", ")}`,
       ...(units.length ? [`# Units: ${[...new Map(units)].map(([key, unit]) => `${key} in ${unit}`).join(", ")}`] : []),
       ["patch", "u", "v", ...columns.map(name)].join(","),
       ...pins.map((pin) => {

@@ -1,7 +1,7 @@
 /** The bar at the bottom, and the banner for what needs an answer. */
 
 import type { State, Store } from "../app/state";
-import { valueOf } from "../numerics/model";
+import { normalSide, type Surface } from "../numerics/surface";
 import type { Sharpest } from "../view/radius";
 import { button } from "./controls";
 import { h, icon, ICONS } from "./dom";
@@ -13,6 +13,8 @@ interface Facts {
   readonly singular: number;
   readonly points: number;
   readonly sharp: Sharpest | null;
+  /** The active patch's; null where it cannot be built. */
+  readonly surface: Surface | null;
   readonly warning: string;
 }
 
@@ -33,9 +35,8 @@ export class StatusBar {
   }
 
   refresh(state: State, facts: Facts): void {
-    const patch = state.model.patches[state.patch]!, unit = state.model.unit;
-    const side = valueOf(patch, "flip") === true ? "turned: against" : "along";
-    this.left.replaceChildren("Normal ", side, " ", h("i", { class: "math" }, "S"), h("sub", {}, "u"), " × ", h("i", { class: "math" }, "S"), h("sub", {}, "v"), unit ? ` · lengths in ${unit}` : " · no unit",
+    const { unit } = state.model;
+    this.left.replaceChildren(...(facts.surface ? ["Normal ", normalSide(facts.surface), " ", h("i", { class: "math" }, "S"), h("sub", {}, "u"), " × ", h("i", { class: "math" }, "S"), h("sub", {}, "v")] : ["No surface"]), unit ? ` · lengths in ${unit}` : " · no unit",
       facts.sharp ? ` · smallest radius ${short(facts.sharp.radius)}${unit ? ` ${unit}` : ""} at u = ${short(facts.sharp.u)}, v = ${short(facts.sharp.v)}` : "");
     const singular = facts.singular ? `${facts.singular} of ${facts.points} points singular (grey)` : "";
     this.warning.textContent = [singular, facts.warning].filter(Boolean).join(" · ");
@@ -67,7 +68,8 @@ export class StatusBar {
     this.banner.querySelector(".message")?.remove();
     if (!message) return;
     this.banner.append(h("div", { class: `banner message ${message.kind}`, role: message.kind === "error" ? "alert" : "status" },
-      h("span", {}, message.text), button(icon(ICONS.close), "Close", () => this.store.set({ message: null }), "tiny")));
-    if (message.kind === "note") this.timer = window.setTimeout(() => this.store.set({ message: null }), 4000);
+      h("div", {}, message.text, message.lines?.length ? h("ul", {}, ...message.lines.map((line) => h("li", {}, line))) : null),
+      button(icon(ICONS.close), "Close", () => this.store.set({ message: null }), "tiny")));
+    if (message.kind === "note" && !message.lines) this.timer = window.setTimeout(() => this.store.set({ message: null }), 4000);
   }
 }

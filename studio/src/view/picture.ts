@@ -1,7 +1,7 @@
 /** A picture for a file: the drawn cells with their labels, the legend and a line that says what is shown. */
 
 import type { State } from "../app/state";
-import { valueOf } from "../numerics/model";
+import { normalSide } from "../numerics/surface";
 import { QUANTITY } from "../numerics/quantity";
 import { classColours, css, mapColours } from "../ui/colours";
 import type { PictureChoice } from "../ui/dialogs";
@@ -24,10 +24,9 @@ export function compose(
     if (cell && label) context.fillText(label, (cell.x / across) * width + em, (cell.y / across) * width + 1.4 * em);
   });
   if (!choice.legend) return image;
-  const patch = state.model.patches[state.patch]!;
-  const side = valueOf(patch, "flip") === true ? "turned, against Su × Sv" : "along Su × Sv";
+  const surface = cells[0]?.pieces[state.patch]?.surface, side = surface ? `normal ${normalSide(surface)} Su × Sv` : "no surface";
   context.font = `${0.85 * em}px Helvetica, Arial, sans-serif`;
-  context.fillText(`${state.model.name} · normal ${side}${state.model.unit ? ` · ${state.model.unit}` : ""}`, em, height - 1.2 * em);
+  context.fillText(`${state.model.name} · ${side}${state.model.unit ? ` · ${state.model.unit}` : ""}`, em, height - 1.2 * em);
   const q = QUANTITY[state.settings.quantity];
   if (!q) return image;
   const unit = unitText(q, state.model.unit), title = `${capital(q.name)}${q.colour === "classes" ? "" : ` ${q.symbol}`}${unit ? ` (${unit})` : ""}`;
