@@ -33,6 +33,31 @@ KINDS = [
         "weights": [[1, 0.7, 1], [2, 1, 1], [1, 1, 0.5], [1, 3, 1]],
     },
 ]
+QUADRATIC = {"kind": "tensor", "basis": "bernstein"}
+
+
+def quadratic(x, y, z):
+    """Return a model of (x, y, z)(u, v), each given by its coefficients of u², u v, v², u, v."""
+
+    def polar(form, i, j):  # of the three by three Bernstein points: u² is 0, 0, 1, and u is 0, 1/2, 1
+        a, b, c, d, e = form
+        u, v = i / 2, j / 2
+        return a * (i == 2) + b * u * v + c * (j == 2) + d * u + e * v
+
+    return QUADRATIC | {"points": [[[polar(f, i, j) for f in (x, y, z)] for j in range(3)] for i in range(3)]}
+
+
+EDGES = {
+    # A wall with w = u + v along it: n_z is rounding, on both sides of 0, and the invariants in the plane are infinite.
+    "vertical wall": quadratic((0, 0, 0, 0.3, 0.3), (0.7, 1.4, 0.7, 0, 0), (0, 0, 0, 1.1, -1.3)),
+    # K / C² is 2 ε: on either side of the 1e-6 at which K counts as zero.
+    "hardly bent across": quadratic((0, 0, 0, 1, 0), (0, 0, 0, 0, 1), (0.5, 0, 2e-7, 0, 0)),
+    "bent enough across": quadratic((0, 0, 0, 1, 0), (0, 0, 0, 0, 1), (0.5, 0, 3e-7, 0, 0)),
+    # C times the size is δ √2: on either side of the 1e-6 at which a point counts as flat.
+    "hardly bent": quadratic((0, 0, 0, 1, 0), (0, 0, 0, 0, 1), (2.8e-7, 0, 2.8e-7, 0, 0)),
+    "bent enough": quadratic((0, 0, 0, 1, 0), (0, 0, 0, 0, 1), (4.2e-7, 0, 4.2e-7, 0, 0)),
+    "single point": QUADRATIC | {"points": [[[0.1, 0.2, 0.3]] * 3] * 3},
+}
 SCRIPT = """
 import { readFileSync } from "node:fs";
 const studio = await import(process.argv[1]);
@@ -65,9 +90,13 @@ def every_job():
             model["trajectory"] = random.uniform(-5, 5, (3, 3)).tolist()
         u, v = random.uniform(0.02, 0.98, (2, 11))
         yield {"model": model, "u": u.tolist(), "v": v.tolist()}
+    for model in EDGES.values():
+        u, v = random.uniform(0.02, 0.2, (2, 11))
+        yield {"model": model, "u": u.tolist(), "v": v.tolist()}
 
 
 JOBS = list(every_job())
+FIRST_EDGE = len(JOBS) - len(EDGES)
 NAMES = [f"{i}-{job['model']['kind']}-{job['model'].get('shape', '')}" for i, job in enumerate(JOBS)]
 
 
@@ -100,6 +129,26 @@ def test_the_bundle_agrees_with_python_to_1e_11(answers, index):
         compare(quintrig.analyse(surface, *at), found)
 
 
+def test_the_edge_cases_are_on_the_edge():
+    def at(name, key):
+        job = JOBS[FIRST_EDGE + list(EDGES).index(name)]
+        surface = quintrig.Model.from_dict(job["model"]).surface
+        sample = quintrig.analyse(surface, np.array(job["u"]), np.array(job["v"]))
+        if key == "slope":
+            return np.abs(sample["normal"][:, 2])
+        return sample[key]
+
+    assert (at("vertical wall", "slope") < 1e-12).all()
+    assert (at("vertical wall", "slope") > 0).any()  # nothing but VERTICAL makes these infinite
+    assert np.isposinf(at("vertical wall", "beta0")).all()
+    types = quintrig.quantity.BY_KEY["hk_type"].classes
+    assert {types[int(code)] for code in at("hardly bent across", "hk_type")} == {"valley"}
+    assert {types[int(code)] for code in at("bent enough across", "hk_type")} == {"pit"}
+    assert {types[int(code)] for code in at("hardly bent", "hk_type")} == {"flat"}
+    assert {types[int(code)] for code in at("bent enough", "hk_type")} == {"pit"}
+    assert np.isnan(at("single point", "gaussian")).all()
+
+
 EXACT = {"gaussian": 2, "mean": 1, "k1": 1, "k2": 1, "curvedness": 1}
 
 
@@ -113,8 +162,15 @@ def test_the_bundle_meets_the_exact_values_to_1e_11_of_the_curvedness(answers, i
 
 
 def compare(sample, found):
-    scales = natural_scales(sample)
     assert set(found) == {q.key for q in QUANTITIES}
+    if sample.size == 0.0:  # a single point: all else is the rounding of nothing
+        np.testing.assert_allclose(np.reshape(found["point"], sample.point.shape), sample.point, rtol=1e-15)
+        for q in QUANTITIES:
+            if q.colour in ("classes", "diverging", "sequential") and q.key not in "EFGLMN":
+                told = np.array([float(x) for x in found[q.key]]).reshape(sample[q.key].shape)
+                np.testing.assert_array_equal(told, sample[q.key], err_msg=q.key)
+        return
+    scales = natural_scales(sample)
     for key, numbers in found.items():
         expected = sample[key]
         values = np.array([float(x) for x in numbers]).reshape(expected.shape)
@@ -126,6 +182,8 @@ def compare(sample, found):
         decided = decided[..., None] if key.startswith("direction") else decided if key == "shape_index" else True
         good = np.isfinite(expected) & decided
         np.testing.assert_array_equal(np.isfinite(values) & decided, good, err_msg=key)
+        if key == "beta0":  # slope over n_z²: infinite on a wall, whatever rounding does
+            np.testing.assert_array_equal(np.isposinf(values), np.isposinf(expected))
         if key.startswith("direction"):
             # A direction has no sense: where rounding decides, both may be opposite.
             sense = np.sign(np.nansum(values * expected, axis=-1, keepdims=True))

@@ -6,6 +6,7 @@ ranges and colours are stated once.
 
 import sys
 import tomllib
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any, cast
 
@@ -15,11 +16,14 @@ from matplotlib.colors import Colormap, to_hex
 
 from quintrig import __version__
 from quintrig.basis import SHAPE_RANGE
+from quintrig.classify import Thresholds
 from quintrig.definition import CONSTRUCTIONS, KINDS, Definition
 from quintrig.figure import palette
 from quintrig.files import write_whole
+from quintrig.invariants import VERTICAL
 from quintrig.model import SCHEMA_VERSION, UNITS, load
 from quintrig.quantity import BY_KEY, QUANTITIES, Quantity
+from quintrig.sample import SINGULAR
 from quintrig.signs import CLASSES, POINTS, TYPES, SignTable
 from quintrig.starter import starter
 from quintrig.studio.page import as_json
@@ -46,6 +50,7 @@ def table() -> dict[str, Any]:
         "shapeRange": list(SHAPE_RANGE),
         "shapeSets": {str(count): [list(one) for one in sets] for count, sets in SHAPE_SETS.items()},
         "quantities": [_quantity(q) for q in QUANTITIES],
+        "limits": {**asdict(Thresholds()), "vertical": VERTICAL, "singular": SINGULAR},
         "words": {key: _words(BY_KEY[key], signs) for key, signs in WORDS.items()},
         "kinds": {name: _kind(form) for name, form in KINDS.items()},
         "palette": {

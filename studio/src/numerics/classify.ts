@@ -1,12 +1,15 @@
 /** Classes of points (thesis tables 3.1-3.4); every decision that a curvature is zero is made here. */
 
+import data from "../data.json";
+
 /** When a curvature counts as zero: `flat` relative to 1/size, `relative` to the point's curvedness. */
 export interface Thresholds {
   readonly relative: number;
   readonly flat: number;
 }
 
-export const THRESHOLDS: Thresholds = { relative: 1e-6, flat: 1e-6 };
+/** Python's own. */
+export const THRESHOLDS: Thresholds = data.limits;
 
 /** Besl's number of the signs of K and H; 0 for NaN. `flat` is a curvedness, length⁻¹. */
 export function besl(gaussian: number, mean: number, curvedness: number, relative: number, flat: number): number {

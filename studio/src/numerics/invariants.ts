@@ -1,7 +1,9 @@
 /** Six algebraic invariants of a surface seen as a height field z (Fujita and Ohsaki 2009; Iri et al. 2001). */
 
+import data from "../data.json";
+
 /** At or below this |n_z| the tangent plane counts as vertical: what is left of n_z after rounding means nothing. */
-const VERTICAL = 1e-9;
+const VERTICAL = data.limits.vertical;
 
 /** Write Γ1, Γ2, Γ3, the second form of (h, h), (h, Jh), (Jh, Jh), h the steepest ascent (z1, z2), to `out`. */
 export function slopeForms(a: number, b: number, c: number, z1: number, z2: number, sign: number, out: Float64Array): void {

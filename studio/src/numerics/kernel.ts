@@ -3,6 +3,7 @@
  * scratch planes, then one loop per requested quantity. All arrays live in a `Grid` and are used again and again.
  */
 
+import data from "../data.json";
 import { besl, pointType, shapeClass, type Thresholds } from "./classify";
 import { directionCos, directionSin, principalDirection, radius, shapeIndex } from "./curvature";
 import { planar, slopeForms, surface as ownMetric } from "./invariants";
@@ -10,7 +11,7 @@ import { QUANTITY } from "./quantity";
 import { extent, type Surface } from "./surface";
 
 /** A point is singular where |S_u × S_v| <= SINGULAR size². */
-export const SINGULAR = 4096 * 2 ** -52;
+export const SINGULAR = data.limits.singular;
 
 const NOISE = 1e-12; // curvedness times size at or below this is rounding of a plane
 
@@ -65,7 +66,7 @@ export class Grid {
     }
     surface.rows.derivatives(u, u.length, this.rows);
     surface.blend.derivatives(v, v.length, this.blend);
-    const tiny = SINGULAR * this.size * this.size;
+    const tiny = this.size > 0 ? SINGULAR * this.size * this.size : Infinity; // a single point has no tangent plane at all
     if (d === 4) this.driveRational(m, u.length, v.length, onGrid, tiny);
     else this.drive(m, u.length, v.length, onGrid, tiny);
   }

@@ -97,8 +97,10 @@ export function extent(surface: Surface): { low: number[]; high: number[]; size:
       high[x] = Math.max(high[x]!, found[3 * p + x]!);
     }
   }
-  const size = count ? Math.sqrt(low.reduce((total, value, x) => total + (high[x]! - value) ** 2, 0)) : 0;
-  return { low, high, size };
+  const diagonal = count ? Math.sqrt(low.reduce((total, value, x) => total + (high[x]! - value) ** 2, 0)) : 0;
+  const largest = Math.max(...low.map(Math.abs), ...high.map(Math.abs));
+  // What is left of a single point after rounding is no size.
+  return { low, high, size: diagonal > 32 * Number.EPSILON * largest ? diagonal : 0 };
 }
 
 function median(values: Float64Array): number {

@@ -1,6 +1,7 @@
 /** Everything drawn on top of a surface: net, directions, normals, combs, contours, section, control points. */
 
 import { Group } from "three";
+import { THRESHOLDS } from "../numerics/classify";
 import { directionCos, directionSin, principalDirection } from "../numerics/curvature";
 import { PLANE } from "../numerics/kernel";
 import type { Settings } from "../app/settings";
@@ -36,7 +37,7 @@ const STYLE: Readonly<Record<Line, Style>> = {
 /** The colours of overlay lines in a theme, for the key beside their switches. */
 export const lineColour = (line: Line, dark: boolean): string => STYLE[line][dark ? "dark" : "light"];
 
-const RELATIVE = 1e-6; // of the curvedness: below it K and H count as zero, as in the classifications
+const RELATIVE = THRESHOLDS.relative; // of the curvedness: below it K and H count as zero, as in the classifications
 
 export class Overlays {
   readonly group = new Group();
