@@ -189,6 +189,158 @@ def test_a_control_point_is_dragged_along_a_free_axis_only(context, served):
     assert state(page, "model.patches[0].section") == before
 
 
+def section_points(page):
+    """The ends of the drawn section curve in the model's lengths, (n, 3)."""
+    found = page.evaluate(
+        """() => { const s = document.querySelector('[data-quintrig]').studio;
+        const line = s.stage.cells[0].pieces[0].overlays.lines.section;
+        return { ends: Array.from(line.data.slice(0, 6 * line.count)), frame: s.frame }; }"""
+    )
+    return np.reshape(found["ends"], (-1, 3)) / found["frame"]["scale"] + found["frame"]["centre"]
+
+
+def test_a_section_plane_stands_at_any_angle(context, served):
+    page = opened(context, served.site.address)
+    page.locator("summary", has_text="Section").click()
+    page.locator(".toggle", has_text="Section by a plane").click()
+    page.get_by_label("Azimuth of the plane's normal in degrees, number").fill("40")
+    page.keyboard.press("Enter")
+    page.get_by_label("Tilt of the plane's normal in degrees, number").fill("30")
+    page.keyboard.press("Enter")
+    page.evaluate(DRAW)
+    page.get_by_label("Place of the section plane, number").fill("120")
+    page.keyboard.press("Enter")
+    page.evaluate(DRAW)
+    kept(page, "section")
+    a, e = np.radians([40, 30])
+    normal = np.array([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
+    points = section_points(page)
+    assert len(points) > 100
+    np.testing.assert_allclose(points @ normal, 120, atol=0.05)  # of a surface 1700 across, drawn in 32 bits
+    assert "= 120 mm" in page.locator(".right").inner_text()
+
+    for grip, turned in (("move", False), ("tilt", True)):
+        before = state(page, "settings")
+        where = "(grip) => document.querySelector('[data-quintrig]').studio.locate(grip)"
+        at, other = page.evaluate(where, grip), page.evaluate(where, "tilt" if grip == "move" else "move")
+        goal = {x: at[x] + 0.4 * (other[x] - at[x]) for x in "xy"}
+        page.mouse.move(at["x"], at["y"])
+        page.mouse.down()
+        page.mouse.move(goal["x"], goal["y"], steps=5)
+        page.mouse.up()
+        page.evaluate(DRAW)
+        after = state(page, "settings")
+        moved = {key for key in after if after[key] != before[key]}
+        assert moved == ({"sectionAzimuth", "sectionTilt"} if turned else {"sectionAt"})
+        now = page.evaluate(where, grip)
+        assert np.hypot(now["x"] - goal["x"], now["y"] - goal["y"]) < 4  # the grip stays under the pointer
+    page.get_by_role("radio", name="z", exact=True).click()
+    page.evaluate(DRAW)
+    assert np.ptp(section_points(page)[:, 2]) < 0.01
+
+
+@pytest.fixture
+def touch(browser, served):
+    """A page on a screen to touch, and a function that sends one touch event with fingers at these points."""
+    context = browser.new_context(viewport={"width": 1280, "height": 720}, has_touch=True)
+    context.set_default_timeout(20_000)
+    page = opened(context, served.site.address)
+    session = context.new_cdp_session(page)
+
+    def send(kind, *points):
+        fingers = [{"x": x, "y": y, "id": i} for i, (x, y) in enumerate(points)]
+        session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": fingers})
+        page.evaluate(DRAW)
+
+    yield page, send
+    context.close()
+
+
+ORBIT = """() => { const orbit = document.querySelector('[data-quintrig]').studio.stage.orbit;
+    const { azimuth, elevation, span, target } = orbit;
+    return [azimuth, elevation, span, ...target.toArray()]; }"""
+
+
+def test_two_fingers_zoom_and_pan_and_one_turns(touch):
+    page, send = touch
+    start = page.evaluate(ORBIT)
+    send("touchStart", (600, 330))
+    send("touchMove", (640, 350))
+    send("touchEnd")
+    turned = page.evaluate(ORBIT)
+    assert turned[0] == pytest.approx(start[0] - 14)
+    assert turned[2:] == start[2:]
+
+    page.keyboard.press("3")
+    page.wait_for_timeout(500)
+    turned = page.evaluate(ORBIT)
+    under = "document.querySelector('[data-quintrig]').studio.locate('section[3]')"
+    at = page.evaluate(under)
+    send("touchStart", (at["x"] - 50, at["y"]))
+    send("touchStart", (at["x"] - 50, at["y"]), (at["x"] + 50, at["y"]))
+    send("touchMove", (at["x"] - 100, at["y"]), (at["x"] + 100, at["y"]))
+    zoomed = page.evaluate(ORBIT)
+    assert zoomed[:2] == turned[:2]
+    assert zoomed[2] == pytest.approx(turned[2] / 2)  # twice as far apart, twice as large
+    kept_under = page.evaluate(under)
+    assert np.hypot(kept_under["x"] - at["x"], kept_under["y"] - at["y"]) < 12  # about the point between the fingers
+    send("touchMove", (at["x"] - 60, at["y"] + 30), (at["x"] + 140, at["y"] + 30))
+    panned = page.evaluate(ORBIT)
+    assert panned[:3] == zoomed[:3]
+    moved = page.evaluate(under)
+    assert moved["x"] - kept_under["x"] == pytest.approx(40, abs=5)
+    assert moved["y"] - kept_under["y"] == pytest.approx(30, abs=5)
+    send("touchEnd", (at["x"] + 140, at["y"] + 30))  # one finger is lifted: the other does not turn the picture
+    send("touchMove", (at["x"] + 40, at["y"] - 30))
+    assert page.evaluate(ORBIT) == panned
+    send("touchEnd")
+    assert state(page, "pins") == []
+    assert state(page, "model") == state(page, "saved")
+
+
+def test_a_finger_drags_a_control_point_and_pins_by_a_tap(touch):
+    page, send = touch
+    before = state(page, "model.patches[0].section")
+    at = page.evaluate("document.querySelector('[data-quintrig]').studio.locate('section[1]')")
+    send("touchStart", (at["x"] + 14, at["y"]))  # fingers are less exact than pointers
+    send("touchMove", (at["x"] + 14, at["y"] - 30))
+    send("touchMove", (at["x"] + 14, at["y"] - 50))
+    send("touchEnd")
+    after = state(page, "model.patches[0].section")
+    assert after[1][2] > before[1][2] + 20
+    assert [after[i] for i in (0, 2, 3, 4, 5)] == [before[i] for i in (0, 2, 3, 4, 5)]
+    box = page.locator("canvas.view").bounding_box()
+    send("touchStart", (box["x"] + 0.42 * box["width"], box["y"] + 0.52 * box["height"]))
+    send("touchEnd")
+    assert len(state(page, "pins")) == 1
+
+
+def test_what_has_no_size_and_what_runs_off_to_infinity(context, served):
+    problems = []
+    page = opened(context, served.site.address, problems)
+    opened_model(page, {"kind": "tensor", "basis": "bernstein", "points": [[[0.1, 0.2, 0.3]] * 4] * 4})
+    assert "A single point" in page.locator(".status").inner_text()
+    assert "no point has a value" in page.locator(".legend").inner_text()
+    drawn = "document.querySelector('[data-quintrig]').studio.stage.cells[0].pieces[0].mesh.position"
+    assert page.evaluate(f"Math.max(...{drawn}.map(Math.abs))") < 1e-6  # nothing but the point itself
+    kept(page, "single-point")
+    opened_model(page, {"kind": "tensor", "points": [[[i, i, 0]] * 6 for i in range(6)]})
+    assert "this is a curve" in page.locator(".status").inner_text()
+    planes = ((0, 1, 4, -20), (1, 1, 5, -24), (2, 1, 4, -30), (3, 0, 4, -33), (4, 1, 3, -40), (5, 2, 4, -44))
+    opened_model(page, {"kind": "developable", "planes": planes, "bounds": ((0, 0, 1, 0), (0, 0, 1, -5))})
+    assert "edge of regression (magenta)" in page.locator(".status").inner_text()
+    kept(page, "edge-of-regression")
+    shown = page.evaluate(
+        f"""() => {{ const p = {drawn}; let n = 0, all = 0;
+        for (let i = 0; i < p.length; i += 3) {{ all++; n += Math.hypot(p[i], p[i + 1], p[i + 2]) < 1; }}
+        return n / all; }}"""
+    )
+    assert shown > 0.5  # the picture is of the strip, not of what is far away
+    lines = "document.querySelector('[data-quintrig]').studio.stage.cells[0].pieces[0].overlays.lines.edge.count"
+    assert page.evaluate(lines) > 50
+    assert problems == []
+
+
 def test_a_plane_of_a_developable_is_dragged_along_its_normal(context, served):
     page = opened(context, served.site.address)
     page.get_by_label("Construction", exact=True).select_option("developable")

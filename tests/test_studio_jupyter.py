@@ -5,6 +5,7 @@ import pytest
 
 import quintrig
 from quintrig.studio.describe import as_model
+from quintrig.surface import Net, Surface
 
 pytest.importorskip("anywidget", reason="the extra 'jupyter' is not installed")
 
@@ -13,12 +14,28 @@ from quintrig.studio.jupyter import show
 RANDOM = np.random.default_rng(3)
 NET = RANDOM.uniform(-1, 1, (6, 6, 3))
 CURVES = RANDOM.uniform(-1, 1, (2, 6, 3))
+PLANES = (
+    (1.0, 0.1, 0.3, -10.0), (1.0, 0.3, 0.32, -10.2), (0.9, 0.6, 0.34, -10.3),
+    (0.7, 0.8, 0.33, -10.6), (0.5, 0.9, 0.31, -10.7), (0.3, 1.0, 0.28, -11.0),
+)  # fmt: skip
 SURFACES = {
     "tensor": quintrig.tensor(NET, (1, -2, 0.5, -4), flip=True),
     "bernstein": quintrig.tensor(NET[:4, :3], basis="bernstein"),
     "unchecked": quintrig.tensor(NET, (2, 0, 0, 0), unchecked_shape=True),
     "swept": quintrig.swept(CURVES[0], CURVES[1], (1, 1, -3, -3)),
     "ruled": quintrig.ruled(CURVES[0], CURVES[1], (1, 0, -2, -3)),
+    "developable": quintrig.developable(PLANES, ((0, 0, 1, 0), (0, 0, 1, -5)), (1, -2)),
+    "developable flipped": quintrig.developable(PLANES, ((0, 0, 1, 0), (0, 0, 1, -5)), flip=True),
+    "sphere": quintrig.sphere(2.5, flip=True),
+    "ellipsoid": quintrig.reference.ellipsoid(3, 1.1, 0.7),
+    "cylinder": quintrig.cylinder(0.3, 7),
+    "cone": quintrig.reference.cone(1.7, 0.4),
+    "torus": quintrig.torus(1.1, 2.3, flip=True),
+    "catenoid": quintrig.reference.catenoid(0.7, 3.1),
+    "helicoid": quintrig.reference.helicoid(1.3, -0.9),
+    "hyperbolic paraboloid": quintrig.reference.hyperbolic_paraboloid(1.7),
+    "monkey saddle": quintrig.reference.monkey_saddle(0.3, flip=True),
+    "enneper": quintrig.reference.enneper(1.2),
 }
 
 
@@ -26,8 +43,14 @@ SURFACES = {
 def test_a_bare_surface_is_shown_as_itself(name):
     again = as_model(SURFACES[name]).surface
     u, v = quintrig.grid(7, 5)
-    np.testing.assert_allclose(again(u, v), SURFACES[name](u, v), rtol=0, atol=1e-14)
+    np.testing.assert_allclose(again(u, v), SURFACES[name](u, v), rtol=0, atol=1e-14 * max(1, again.size))
     assert again.flip == SURFACES[name].flip
+
+
+@pytest.mark.parametrize("name", SURFACES)
+def test_a_notebook_shows_a_bare_surface_by_itself(name):
+    bundle = SURFACES[name]._repr_mimebundle_()
+    assert "application/vnd.jupyter.widget-view+json" in (bundle[0] if isinstance(bundle, tuple) else bundle)
 
 
 def test_the_view_follows_the_page_and_the_page_the_view():
@@ -46,9 +69,12 @@ def test_a_model_shows_itself_and_what_cannot_be_shown_says_what_it_is():
     bundle = quintrig.Model.from_dict({"kind": "sphere"})._repr_mimebundle_()
     data = bundle[0] if isinstance(bundle, tuple) else bundle
     assert "application/vnd.jupyter.widget-view+json" in data
-    assert set(quintrig.sphere()._repr_mimebundle_()) == {"text/plain"}
+    # Rows that no kind of model has: a sphere squashed by hand.
+    rows = quintrig.sphere().rows
+    odd = Surface(Net(np.asarray(rows.points) + 0.25, rows.functions), quintrig.sphere().blend)
+    assert set(odd._repr_mimebundle_()) == {"text/plain"}
     with pytest.raises(ValueError, match="Model"):
-        as_model(quintrig.sphere())
+        as_model(odd)
 
 
 def test_an_unknown_quantity_is_refused():

@@ -6,8 +6,10 @@ import numpy as np
 
 from quintrig.basis import Bernstein, Trigonometric
 from quintrig.bspline import BSpline
+from quintrig.envelope import Envelope
 from quintrig.functions import Functions, Joined
 from quintrig.model import Model, Patch
+from quintrig.studio.closed import closed_form
 from quintrig.surface import Net, Surface
 
 Subject = Model | Patch | Surface
@@ -16,8 +18,8 @@ Subject = Model | Patch | Surface
 def as_model(subject: Subject, unit: str = "") -> Model:
     """Return a model of what is to be shown.
 
-    A surface becomes a tensor-product, ruled or NURBS patch on the control points that it was built from. Raises
-    ValueError for one without any, such as an enveloping developable or a closed form: show its model.
+    A surface becomes the tensor-product, ruled, developable or NURBS patch on what it was built from, or the closed
+    form that it is. Raises ValueError for one made of other rows by hand: show a model.
     """
     if isinstance(subject, Model):
         return subject
@@ -28,14 +30,17 @@ def as_model(subject: Subject, unit: str = "") -> Model:
     keys = _keys(subject)
     if keys is None:
         raise ValueError(
-            "this surface is not built on control points that the studio could show; load or make a Model of it "
+            "this surface is of rows that no kind of model has, so the studio cannot show it; make a Model near it "
             "(quintrig.Model.from_dict) and show that"
         )
-    return Model.from_dict({"name": "surface", **({"unit": unit} if unit else {}), **keys, "flip": subject.flip})
+    return Model.from_dict({"name": "surface", **({"unit": unit} if unit else {}), "flip": subject.flip, **keys})
 
 
 def _keys(surface: Surface) -> dict[str, Any] | None:
     rows = surface.rows
+    if isinstance(rows, Envelope):
+        planes = {"planes": rows.planes.tolist(), "bounds": rows.bounds.tolist()}
+        return _bezier({"kind": "developable", **planes}, _shape(rows.functions) or (), bernstein=False)
     if not isinstance(rows, Net):
         return None
     points = rows.points
@@ -50,7 +55,7 @@ def _keys(surface: Surface) -> dict[str, Any] | None:
             return _bezier({"kind": "tensor", "points": points.tolist()}, (*first, *second), bernstein)
     if isinstance(pair[0], BSpline) and isinstance(pair[1], BSpline):
         return _nurbs(points, pair[0], pair[1])
-    return None
+    return closed_form(surface)
 
 
 def _ruled(points: np.ndarray[Any, Any], parts: tuple[Functions, ...]) -> dict[str, Any] | None:

@@ -1,6 +1,7 @@
 /** What stands side by side in the picture. */
 
-import { extent } from "../numerics/surface";
+import { analyse } from "../numerics/sample";
+import { extent, type Surface } from "../numerics/surface";
 import { build, shapeOf, type Model, type Patch } from "../numerics/model";
 import { shapeSets, type State } from "./state";
 
@@ -44,12 +45,29 @@ export interface Box {
   readonly high: number[];
 }
 
+const SIDE = 41;
+const STEPS = Array.from({ length: SIDE }, (_, i) => i / (SIDE - 1));
+
+/** The box of a surface, or of the bulk of it where a little of it runs far off, as in the report's figures. */
+function bulk(surface: Surface): Box {
+  const whole = extent(surface), at = [0, 1, 2] as const;
+  if (!(whole.size > 0)) return { low: whole.low, high: whole.low };
+  const { point } = analyse(surface, STEPS, STEPS, false, ["point"]);
+  const sorted = at.map((x) => point!.filter((value, i) => i % 3 === x && Number.isFinite(value)).sort());
+  const share = (x: 0 | 1 | 2, part: number) => sorted[x]![Math.round(part * (sorted[x]!.length - 1))]!;
+  const low = at.map((x) => share(x, 0)), high = at.map((x) => share(x, 1)), first = at.map((x) => share(x, 0.1)), last = at.map((x) => share(x, 0.9));
+  const length = (from: number[], to: number[]) => Math.hypot(...at.map((x) => to[x]! - from[x]!));
+  if (length(low, high) <= 8 * length(first, last)) return { low, high };
+  const rim = at.map((x) => 0.5 * (last[x]! - first[x]!));
+  return { low: at.map((x) => Math.max(low[x]!, first[x]! - rim[x]!)), high: at.map((x) => Math.min(high[x]!, last[x]! + rim[x]!)) };
+}
+
 /** The box around the surfaces of all cells; null where none can be built. */
 export function boxOf(cells: readonly Shown[]): Box | null {
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
   for (const patch of cells.flatMap(({ model }) => model.patches)) {
     try {
-      const box = extent(build(patch));
+      const box = bulk(build(patch));
       for (let x = 0; x < 3; x++) {
         low[x] = Math.min(low[x]!, box.low[x]!);
         high[x] = Math.max(high[x]!, box.high[x]!);

@@ -3,15 +3,19 @@
 import { handles, moved, type Handle } from "../edit/handles";
 import { build, type Patch } from "../numerics/model";
 import { toModel, toScene, type Frame } from "../view/frame";
-import type { Ray, Stage } from "../view/stage";
+import { alongLine, onBall, within } from "../view/rays";
+import { dragged, sectionGrips, sectionNormal } from "../view/section";
+import type { Stage } from "../view/stage";
+import { Fingers } from "./fingers";
 import { activePatch, type Store } from "./state";
 
-const NEAR = 11; // pixels
+const NEAR = 11, NEAR_FINGER = 24; // pixels
 
 interface Drag {
-  readonly kind: "turn" | "pan" | "move";
+  readonly kind: "turn" | "pan" | "move" | "section";
   readonly cell: number;
   readonly handle: Handle | null;
+  readonly grip: "move" | "tilt" | null;
   x: number;
   y: number;
   far: number;
@@ -34,6 +38,7 @@ export function listen(canvas: HTMLCanvasElement, around: Surroundings): void {
   let drag: Drag | null = null;
   let cached: { patch: Patch; list: Handle[] } | null = null;
   let pending = false;
+  const fingers = new Fingers(stage, () => around.redraw());
 
   const at = (event: PointerEvent | WheelEvent) => {
     const box = canvas.getBoundingClientRect();
@@ -44,10 +49,21 @@ export function listen(canvas: HTMLCanvasElement, around: Surroundings): void {
     if (cached?.patch !== patch) cached = { patch, list: safely(() => handles(patch, build(patch))) };
     return cached!.list;
   };
-  const under = (x: number, y: number): Handle | null => {
+  const gripUnder = (x: number, y: number, near: number): "move" | "tilt" | null => {
+    const cell = stage.cellAt(x, y), { settings } = store.state;
+    if (cell < 0 || !settings.section) return null;
+    const grips = sectionGrips(settings, around.frame());
+    const away = (grip: "move" | "tilt") => {
+      const p = stage.project(cell, grips[grip]);
+      return Math.hypot(p.x - x, p.y - y);
+    };
+    // The grip that tilts comes first: the other can be reached from beside it.
+    return away("tilt") < near ? "tilt" : away("move") < near ? "move" : null;
+  };
+  const under = (x: number, y: number, within: number): Handle | null => {
     const cell = stage.cellAt(x, y);
     if (cell < 0 || !store.state.settings.net || !around.editable(cell)) return null;
-    let best: Handle | null = null, near = NEAR;
+    let best: Handle | null = null, near = within;
     for (const handle of all()) {
       const p = stage.project(cell, toScene(around.frame(), handle.position));
       const distance = Math.hypot(p.x - x, p.y - y) - (handle.id === store.state.selected ? 2 : 0);
@@ -60,21 +76,26 @@ export function listen(canvas: HTMLCanvasElement, around: Surroundings): void {
   };
 
   canvas.addEventListener("pointerdown", (event) => {
-    const { x, y } = at(event);
-    const pan = event.button !== 0 || event.shiftKey;
-    const handle = pan ? null : under(x, y);
-    canvas.setPointerCapture(event.pointerId);
+    const { x, y } = at(event), finger = event.pointerType === "touch";
+    const pan = event.button !== 0 || event.shiftKey, near = finger ? NEAR_FINGER : NEAR;
+    capture(canvas, event.pointerId);
     canvas.focus({ preventScroll: true, focusVisible: false } as FocusOptions);
-    drag = { kind: pan ? "pan" : handle ? "move" : "turn", cell: stage.cellAt(x, y), handle, x, y, far: 0 };
-    if (handle) store.set({ selected: handle.id, hover: null });
     event.preventDefault();
+    if (finger && fingers.touch(event.pointerId, { x, y })) {
+      drag = null;
+      return store.settle();
+    }
+    const grip = pan ? null : gripUnder(x, y, near), handle = pan || grip ? null : under(x, y, near);
+    drag = { kind: pan ? "pan" : grip ? "section" : handle ? "move" : "turn", cell: stage.cellAt(x, y), handle, grip, x, y, far: 0 };
+    if (handle) store.set({ selected: handle.id, hover: null });
   });
 
   canvas.addEventListener("pointermove", (event) => {
     const { x, y } = at(event);
+    if (fingers.move(event.pointerId, { x, y })) return;
     if (!drag) {
-      canvas.classList.toggle("grab", under(x, y) !== null);
-      if (pending) return;
+      canvas.classList.toggle("grab", under(x, y, NEAR) !== null || gripUnder(x, y, NEAR) !== null);
+      if (pending || event.pointerType === "touch") return;
       pending = true;
       requestAnimationFrame(() => {
         pending = false;
@@ -85,15 +106,16 @@ export function listen(canvas: HTMLCanvasElement, around: Surroundings): void {
     const dx = x - drag.x, dy = y - drag.y;
     drag.far += Math.abs(dx) + Math.abs(dy);
     if (drag.kind === "turn") stage.orbit.turn(dx, dy);
-    else if (drag.kind === "pan") stage.orbit.pan(dx / stage.cells[0]!.height, dy / stage.cells[0]!.height);
+    else if (drag.kind === "pan") stage.pan(dx, dy);
+    else if (drag.kind === "section") cut(drag, x, y);
     else if (drag.far > 2) move(drag, x, y);
     drag.x = x;
     drag.y = y;
-    if (drag.kind !== "move") around.redraw();
+    if (drag.kind === "turn" || drag.kind === "pan") around.redraw();
   });
 
   const release = (event: PointerEvent) => {
-    if (!drag) return;
+    if (fingers.lift(event.pointerId) || !drag) return;
     const done = drag;
     drag = null;
     store.settle();
@@ -118,7 +140,8 @@ export function listen(canvas: HTMLCanvasElement, around: Surroundings): void {
     // In a page among other things the wheel scrolls the page, until the picture was clicked.
     if (!around.ownsWheel() && !event.ctrlKey) return;
     event.preventDefault();
-    stage.orbit.zoom(Math.exp(Math.max(-60, Math.min(60, event.deltaY * (event.deltaMode ? 16 : 1))) * 0.0022));
+    const { x, y } = at(event);
+    stage.zoomAt(Math.exp(Math.max(-60, Math.min(60, event.deltaY * (event.deltaMode ? 16 : 1))) * 0.0022), x, y);
     around.redraw();
   }, { passive: false });
 
@@ -128,6 +151,13 @@ export function listen(canvas: HTMLCanvasElement, around: Surroundings): void {
     else if (store.state.hover) store.set({ hover: null });
   }
 
+  function cut(now: Drag, x: number, y: number): void {
+    const { settings } = store.state, frame = around.frame(), start = sectionGrips(settings, frame)[now.grip!];
+    const from = stage.ray(now.cell, now.x, now.y), to = stage.ray(now.cell, x, y);
+    const target = now.grip === "move" ? alongLine(start, sectionNormal(settings), from, to) : onBall(Math.hypot(...start), to, start);
+    store.setting(dragged(now.grip!, target, settings, frame));
+  }
+
   function move(now: Drag, x: number, y: number): void {
     const handle = all().find((one) => one.id === now.handle!.id);
     if (!handle) return;
@@ -135,7 +165,7 @@ export function listen(canvas: HTMLCanvasElement, around: Surroundings): void {
     const start = toScene(around.frame(), handle.position);
     const from = stage.ray(now.cell, now.x, now.y), to = stage.ray(now.cell, x, y);
     const free = handle.free.map((can, i) => can && !settings.locks[i]) as unknown as [boolean, boolean, boolean];
-    const target = handle.along ? alongLine(start, handle.along, from, to) : within(start, free, from, to, stage);
+    const target = handle.along ? alongLine(start, handle.along, from, to) : within(start, free, from, to, stage.orbit.axes());
     let point = toModel(around.frame(), target).map((value, i) => (handle.along || free[i] ? value : handle.position[i]!));
     if (settings.snap && !handle.along) point = point.map((value, i) => (free[i] ? Math.round(value / settings.snapStep) * settings.snapStep : value));
     store.editPatch(moved(activePatch(store.state), handle, point), `drag ${handle.id}`);
@@ -147,41 +177,13 @@ const rounded = (t: number): number => Math.round(t * 1e4) / 1e4;
 
 export const still = (): boolean => matchMedia("(prefers-reduced-motion: reduce)").matches;
 
-/** Move with the pointer in the plane of the free axes; facing the eye when all are free. */
-function within(start: readonly number[], free: readonly [boolean, boolean, boolean], from: Ray, to: Ray, stage: Stage): number[] {
-  const count = free.filter(Boolean).length;
-  if (count === 0) return [...start];
-  if (count === 1) return alongLine(start, free.map(Number), from, to);
-  const { towards } = stage.orbit.axes();
-  let normal = [towards.x, towards.y, towards.z];
-  if (count === 2) {
-    const across = free.map((can) => (can ? 0 : 1));
-    // Seen edge-on, the plane of the free axes cannot be met: stay in the plane facing the eye.
-    const axis = across.indexOf(1);
-    if (Math.abs(normal[axis]!) > 0.05) normal = across;
+/** Keep a pointer; one that is gone already, as after a touch that the browser took, is no matter. */
+function capture(canvas: HTMLElement, id: number): void {
+  try {
+    canvas.setPointerCapture(id);
+  } catch {
+    // It moves on its own.
   }
-  const a = meet(start, normal, from), b = meet(start, normal, to);
-  return start.map((x, i) => (free[i] ? x + b[i]! - a[i]! : x));
-}
-
-function meet(point: readonly number[], normal: readonly number[], ray: Ray): number[] {
-  const dot = (p: readonly number[], q: readonly number[]) => p[0]! * q[0]! + p[1]! * q[1]! + p[2]! * q[2]!;
-  const away = dot(normal, point) - dot(normal, ray.origin), speed = dot(normal, ray.direction);
-  const t = Math.abs(speed) > 1e-9 ? away / speed : 0;
-  return ray.origin.map((x, i) => x + t * ray.direction[i]!);
-}
-
-/** Move along a line by as much as its nearest point to the pointer's ray moves. */
-function alongLine(start: readonly number[], direction: readonly number[], from: Ray, to: Ray): number[] {
-  const length = Math.hypot(...direction), d = direction.map((x) => x / length);
-  const nearest = (ray: Ray) => {
-    const w = start.map((x, i) => x - ray.origin[i]!);
-    const dot = (p: readonly number[], q: readonly number[]) => p[0]! * q[0]! + p[1]! * q[1]! + p[2]! * q[2]!;
-    const b = dot(d, ray.direction), denominator = 1 - b * b;
-    return denominator > 1e-4 ? (b * dot(w, ray.direction) - dot(w, d)) / denominator : 0;
-  };
-  const step = nearest(to) - nearest(from);
-  return start.map((x, i) => x + step * d[i]!);
 }
 
 function safely<T>(act: () => T[]): T[] {

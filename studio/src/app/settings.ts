@@ -24,8 +24,10 @@ export interface Settings {
   readonly lightAzimuth: number;
   readonly lightElevation: number;
   readonly section: boolean;
-  readonly sectionAxis: "x" | "y" | "z";
-  /** Where the section plane stands on its axis, length¹. */
+  /** Azimuth of the plane's normal about z from the x axis, and its tilt out of the xy plane, in degrees. */
+  readonly sectionAzimuth: number;
+  readonly sectionTilt: number;
+  /** How far the plane stands from the middle of what is shown, along its normal, length¹. */
   readonly sectionAt: number;
   readonly clip: boolean;
   readonly wireframe: boolean;
@@ -42,7 +44,7 @@ export const DEFAULTS: Settings = {
   quantity: "gaussian", range: "robust", percentile: 2, low: -1, high: 1, contours: false,
   net: true, curves: true, directions: false, normals: false, combs: "off", combScale: 1, zeroK: false, zeroH: false, minRadius: false,
   stripes: "none", density: 24, lightAzimuth: 30, lightElevation: 60,
-  section: false, sectionAxis: "x", sectionAt: 0, clip: false,
+  section: false, sectionAzimuth: 0, sectionTilt: 0, sectionAt: 0, clip: false,
   wireframe: false, projection: "perspective", theme: "auto", snap: false, snapStep: 1, locks: [false, false, false], resolution: 150,
 };
 

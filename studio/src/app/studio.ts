@@ -1,7 +1,7 @@
 /** The studio put together: state, panels and picture, and what has to be worked out again after a change. */
 
-import { polylines, handles } from "../edit/handles";
-import { build, type Model, type Patch } from "../numerics/model";
+import { handles } from "../edit/handles";
+import { build, type Model } from "../numerics/model";
 import { QUANTITY } from "../numerics/quantity";
 import { Hud } from "../ui/hud";
 import { Inspector } from "../ui/inspector";
@@ -15,21 +15,20 @@ import { TopBar } from "../ui/topbar";
 import type { ViewName } from "../view/camera";
 import { frameOf, toScene, UNIT_FRAME, type Frame } from "../view/frame";
 import { compose } from "../view/picture";
-import { sharpest, type Sharpest } from "../view/radius";
-import { toothOf } from "../view/overlays";
+import type { Sharpest } from "../view/radius";
 import { rangeOf, type Range } from "../view/range";
-import { Stage, type Cell, type Piece } from "../view/stage";
-import { boxOf, cellsOf, type Box, type Shown } from "./cells";
+import { sectionGrips } from "../view/section";
+import { Stage } from "../view/stage";
+import { boxOf, cellsOf, type Shown } from "./cells";
 import { Drafts } from "./drafts";
 import { Files } from "./files";
 import type { Host } from "./host";
 import { press } from "./keys";
+import { Painter } from "./painter";
 import { listen, still } from "./pointer";
 import { remembered, type Settings } from "./settings";
 import { Store, type Source, type State } from "./state";
 import { warningOf } from "./warning";
-
-const FRAME_BUDGET = 9; // ms that evaluating everything may take while something moves
 
 export interface Start {
   readonly model: Model;
@@ -57,14 +56,13 @@ export class Studio {
   private frame: Frame = UNIT_FRAME;
   private range: Range | null = null;
   private sharp: { cell: number; at: Sharpest }[] = [];
+  private readonly painter: Painter;
+  private surfaces = 0;
   private planned = 0;
   private dark = false;
   private stale = true;
-  private coarse = 75;
-  private cost = 0;
   private refit = true;
   private fitAfter = false;
-  private box: Box = { low: [0, 0, 0], high: [1, 1, 1] };
 
   constructor(private readonly container: HTMLElement, private readonly host: Host, start: Start) {
     const settings: Settings = { ...remembered(), ...(start.quantity ? { quantity: start.quantity } : {}) };
@@ -74,6 +72,7 @@ export class Studio {
     });
     const { store } = this;
     this.stage = new Stage(this.canvas);
+    this.painter = new Painter(this.stage, (message) => this.status.warn(message));
     this.files = new Files(store, host, () => this.root, (choice) => this.picture(choice), () => [this.centre.clientWidth, this.centre.clientHeight]);
     this.bar = new TopBar(store, this.files, () => this.switchTheme(), () => void showHelp(this.root), host.kind !== "live");
     this.model = new ModelPanel(store);
@@ -115,7 +114,6 @@ export class Studio {
       if (now.model.patches.some((patch, i) => patch.kind !== before.model.patches[i]?.kind) || now.model.patches.length !== before.model.patches.length) this.refit = true;
     }
     if (now.opened !== before.opened) this.refit = true;
-    if (now.settings.sectionAxis !== before.settings.sectionAxis) this.placeSection();
     const shownBefore = before.compare !== now.compare;
     if (now.hover !== before.hover && now.model === before.model && now.settings === before.settings) this.hud.refresh(now, this.frame, this.sharp);
     if (now.model !== before.model || now.settings !== before.settings || now.patch !== before.patch || shownBefore || now.kept !== before.kept || now.saved !== before.saved || now.moving !== before.moving || now.selected !== before.selected) this.plan(true);
@@ -134,6 +132,7 @@ export class Studio {
   private show(now: number): void {
     const gliding = this.stage.orbit.step(now);
     const start = performance.now();
+    this.surfaces = 0;
     if (this.stale) {
       this.stale = false;
       this.work();
@@ -141,7 +140,7 @@ export class Studio {
     const worked = performance.now();
     this.stage.draw();
     this.hud.refresh(this.store.state, this.frame, this.sharp);
-    this.root.dispatchEvent(new CustomEvent("drawn", { detail: { evaluated: worked - start, drawn: performance.now() - worked } }));
+    this.root.dispatchEvent(new CustomEvent("drawn", { detail: { surfaces: this.surfaces, evaluated: worked - start, drawn: performance.now() - worked } }));
     if (gliding) this.plan();
   }
 
@@ -153,83 +152,28 @@ export class Studio {
     const shown = cellsOf(this.store.state);
     if (this.stage.cells.length !== shown.length) this.fitAfter = true;
     this.stage.layout(shown.length, this.margin());
-    const side = this.side(settings, state.moving, shown.length);
     if (this.refit) this.reframe(shown);
-    const start = performance.now();
-    let points = 0;
-    shown.forEach(({ model }, i) => {
-      const cell = this.stage.cells[i]!;
-      cell.resizePieces(model.patches.length);
-      model.patches.forEach((patch, k) => (points += this.evaluate(cell.pieces[k]!, patch, side, settings)));
-    });
-    if (points) this.pace(performance.now() - start, points, settings.resolution);
-    const meshes = this.stage.cells.flatMap((cell) => cell.pieces.map((piece) => piece.mesh));
+    this.surfaces = this.painter.evaluate(shown, state, this.frame);
+    const { meshes } = this.painter;
     const q = QUANTITY[settings.quantity];
     this.range = q && q.colour !== "classes" ? rangeOf(meshes, q, settings) : null;
     if (!q) this.legend.plain();
     else if (this.range) this.legend.real(q.key, this.range, state.model.unit, this.dark);
     else this.legend.classes(q.key, meshes.map((mesh) => mesh.values));
     this.stage.style(settings, this.range, this.dark, this.frame, state.patch);
-    const tooth = settings.combs === "off" ? 0 : toothOf(meshes, settings, this.frame);
-    shown.forEach(({ editable }, i) => this.decorate(this.stage.cells[i]!, state, editable, tooth));
-    if (this.fitAfter) this.stage.fit(true, this.margin());
+    this.painter.decorate(shown, state, this.frame);
+    if (this.fitAfter) this.stage.fit(this.frame, true, this.margin());
     this.fitAfter = false;
-    this.sharp = settings.minRadius && !state.moving ? this.sharpestOf(shown) : [];
+    this.sharp = settings.minRadius && !state.moving ? this.painter.sharpest() : [];
     this.bar.refresh(state);
     this.inspector.refresh(state, this.dark);
     this.model.refresh(state);
     this.hud.labels(shown.map((one) => one.label));
     const surface = this.stage.cells[0]?.pieces[state.patch]?.surface ?? null;
     this.status.refresh(state, {
-      side, cost: this.cost, singular: meshes.reduce((sum, mesh) => sum + mesh.singular, 0), points: meshes.reduce((sum, mesh) => sum + mesh.grid.count, 0),
+      side: this.painter.side, cost: this.painter.cost, singular: meshes.reduce((sum, mesh) => sum + mesh.singular, 0), points: meshes.reduce((sum, mesh) => sum + mesh.grid.count, 0),
       sharp: this.sharp[0]?.at ?? null, surface, warning: warningOf(state, surface),
     });
-  }
-
-  /** Evaluate a piece where its patch, resolution or frame changed; the number of points worked out. */
-  private evaluate(piece: Piece, patch: Patch, side: number, settings: Settings): number {
-    const same = piece.patch === patch && piece.side === side && piece.frame === this.frame;
-    if (same && piece.quantity !== settings.quantity) piece.mesh.paint(settings.quantity);
-    piece.quantity = settings.quantity;
-    if (same) return 0;
-    try {
-      if (piece.patch !== patch) piece.surface = build(patch);
-    } catch (error) {
-      this.status.warn((error as Error).message);
-      return 0;
-    }
-    piece.patch = patch;
-    piece.side = side;
-    piece.frame = this.frame;
-    piece.settings = null;
-    piece.mesh.update(piece.surface!, side, settings.quantity, this.frame);
-    return side * side;
-  }
-
-  private decorate(cell: Cell, state: State, editable: boolean, tooth: number): void {
-    cell.pieces.forEach((piece, i) => {
-      if (!piece.surface || !piece.patch) return;
-      if (piece.settings !== state.settings || piece.tooth !== tooth) piece.overlays.update(piece.mesh, state.settings, this.frame, tooth);
-      piece.settings = state.settings;
-      piece.tooth = tooth;
-      const net = state.settings.net;
-      const grips = net && editable && i === state.patch ? handles(piece.patch, piece.surface) : [];
-      piece.overlays.net(net ? polylines(piece.patch, piece.surface) : [], grips, state.selected, this.frame);
-    });
-  }
-
-  /** Points a side: as many as can be afforded while something moves, more at rest where classes have edges. */
-  private side(settings: Settings, moving: boolean, cells: number): number {
-    if (moving) return Math.min(settings.resolution, this.coarse);
-    return QUANTITY[settings.quantity]?.colour === "classes" && cells === 1 ? 2 * settings.resolution : settings.resolution;
-  }
-
-  /** Choose how many points a side leave a frame's time while something moves. */
-  private pace(time: number, points: number, full: number): void {
-    this.cost = time;
-    const perPoint = time / points, cells = Math.max(1, this.stage.cells.reduce((sum, cell) => sum + cell.pieces.length, 0));
-    const fits = Math.sqrt(FRAME_BUDGET / perPoint / cells);
-    this.coarse = fits >= full ? full : Math.max(36, Math.min(full, Math.round(fits)));
   }
 
   /** Choose the frame of the picture anew from the surfaces shown. */
@@ -237,18 +181,10 @@ export class Studio {
     this.refit = false;
     const box = boxOf(shown);
     if (!box) return;
-    this.box = box;
     this.frame = frameOf(box.low, box.high);
-    this.placeSection();
-    this.store.setting({ snapStep: 10 ** Math.round(Math.log10(Math.max(2 / this.frame.scale, 1e-30) / 100)) });
+    this.inspector.sectionBox(box);
+    this.store.setting({ sectionAt: 0, snapStep: 10 ** Math.round(Math.log10(Math.max(2 / this.frame.scale, 1e-30) / 100)) });
     this.fitAfter = true;
-  }
-
-  /** Let the section plane run over the surface on its axis, and stand in the middle. */
-  private placeSection(): void {
-    const axis = { x: 0, y: 1, z: 2 }[this.store.state.settings.sectionAxis];
-    this.inspector.sectionRange(this.box.low[axis]!, this.box.high[axis]!);
-    this.store.setting({ sectionAt: Number(this.frame.centre[axis]!.toPrecision(4)) });
   }
 
   /** Width of the strip that the legend covers, in CSS pixels. */
@@ -256,16 +192,8 @@ export class Studio {
     return this.legend.element.offsetWidth + 10;
   }
 
-  private sharpestOf(shown: readonly Shown[]): { cell: number; at: Sharpest }[] {
-    return shown.flatMap((_, cell) => {
-      const found = this.stage.cells[cell]!.pieces.map((piece) => (piece.surface ? sharpest(piece.surface, piece.mesh) : null)).filter((one) => one !== null);
-      const least = found.sort((a, b) => a.radius - b.radius)[0];
-      return least ? [{ cell, at: least }] : [];
-    });
-  }
-
   private view(name: ViewName): void {
-    this.stage.view(name, still(), this.margin());
+    this.stage.view(name, this.frame, still(), this.margin());
     this.plan();
   }
 
@@ -301,12 +229,12 @@ export class Studio {
     return compose(image, choice, state, this.range, this.stage.cells, cellsOf(this.store.state).map((one) => one.label), this.dark && choice.background === "theme");
   }
 
-  /** Where the handle of a control point is in the window, in CSS pixels; null where there is none. */
+  /** Where the handle of a control point, or a grip of the section plane, is in the window, in CSS pixels; null where there is none. */
   locate(id: string): { x: number; y: number } | null {
-    const { state } = this.store, patch = state.model.patches[state.patch]!;
+    const { state } = this.store, patch = state.model.patches[state.patch]!, grips = sectionGrips(state.settings, this.frame);
     const handle = handles(patch, build(patch)).find((one) => one.id === id);
-    if (!handle) return null;
-    const p = this.stage.project(0, toScene(this.frame, handle.position)), box = this.canvas.getBoundingClientRect();
+    if (!handle && id !== "move" && id !== "tilt") return null;
+    const p = this.stage.project(0, handle ? toScene(this.frame, handle.position) : grips[id as "move" | "tilt"]), box = this.canvas.getBoundingClientRect();
     return { x: box.left + p.x, y: box.top + p.y };
   }
 

@@ -94,8 +94,14 @@ function boundary(plane: number[][], slope: number[][], cut: Vector): [number[],
   return [point, tangent, along[0].map((x, i) => 0.5 * (rate0 * along[1][i]! + rate1 * x))];
 }
 
-/** Parameters u in [0, 1], `samples` of them evenly spaced, at which the edge of regression lies inside the strip. */
-export function regression(surface: Surface, samples = 257): { start: number; end: number }[] {
+/** A piece of the edge of regression inside a strip: its parameters, u rising. */
+export interface Edge {
+  readonly u: number[];
+  readonly v: number[];
+}
+
+/** The pieces of the edge of regression that lie inside the strip, seen at `samples` rulings evenly spaced. */
+export function regression(surface: Surface, samples = 257): Edge[] {
   const u = Float64Array.from({ length: samples }, (_, i) => i / (samples - 1));
   const q = new Float64Array(3 * samples * 6);
   surface.rows.derivatives(u, samples, q);
@@ -103,15 +109,18 @@ export function regression(surface: Surface, samples = 257): { start: number; en
   // Where both vanish the whole ruling is singular, as at an end with shape parameter -4: no edge crosses there.
   const sizes = pairs.map(([a, b]) => Math.max(Math.abs(a), Math.abs(b)));
   const least = 1e-12 * ([...sizes].sort((a, b) => a - b)[samples >> 1] ?? 0);
-  const intervals: { start: number; end: number }[] = [];
+  const edges: Edge[] = [];
   let open = false;
   pairs.forEach(([a, b], p) => {
     const inside = a * b <= 0 && sizes[p]! > least;
-    if (inside && !open) intervals.push({ start: u[p]!, end: u[p]! });
-    if (inside) intervals[intervals.length - 1]!.end = u[p]!;
+    if (inside && !open) edges.push({ u: [], v: [] });
+    if (inside) {
+      edges.at(-1)!.u.push(u[p]!);
+      edges.at(-1)!.v.push(a / (a - b));
+    }
     open = inside;
   });
-  return intervals;
+  return edges;
 }
 
 /** S_u × S_v at both boundaries along the common normal, length². */

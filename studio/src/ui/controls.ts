@@ -10,6 +10,11 @@ export interface Control<T> {
 let serial = 0;
 const fresh = (name: string): string => `${name}-${++serial}`;
 
+export interface Slider extends Control<number> {
+  /** Let it run over another range. */
+  bounds(min: number, max: number, step: number): void;
+}
+
 export interface SliderOptions {
   readonly label: Node | string;
   /** What a screen reader says. */
@@ -24,8 +29,9 @@ export interface SliderOptions {
 }
 
 /** A slider with a number field and marks at special values; values beyond it may be typed unless `hard`. */
-export function slider(options: SliderOptions): Control<number> {
-  const { min, max, step } = options;
+export function slider(options: SliderOptions): Slider {
+  let { min, max } = options;
+  const { step } = options;
   const id = fresh("slider");
   const share = (value: number) => `${(100 * (Math.min(max, Math.max(min, value)) - min)) / (max - min)}%`;
   const range = h("input", { type: "range", id, min, max, step, "aria-label": options.name });
@@ -67,6 +73,12 @@ export function slider(options: SliderOptions): Control<number> {
       if (!field.matches(":focus") || typed(field) !== value) field.value = String(Number(value.toPrecision(8)));
       field.classList.remove("wrong");
       show(value);
+    },
+    bounds(low, high, fine) {
+      min = low;
+      max = high;
+      Object.assign(range, { min: String(low), max: String(high), step: String(fine) });
+      field.step = String(fine);
     },
   };
 }

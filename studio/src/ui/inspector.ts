@@ -1,13 +1,15 @@
 /** The right panel: shape parameters, colour, overlays, light and section. */
 
+import type { Box } from "../app/cells";
 import type { Settings } from "../app/settings";
 import { activePatch, shapeSets, type State, type Store } from "../app/state";
 import { KINDS, SHAPE_RANGE, shapeOf, valueOf, type Patch } from "../numerics/model";
 import { QUANTITIES, type Quantity } from "../numerics/quantity";
 import { lineColour } from "../view/overlays";
-import { button, choice, numberField, section, segmented, slider, toggle, type Control } from "./controls";
+import { ALONG, sectionNormal } from "../view/section";
+import { button, choice, numberField, section, segmented, slider, toggle, type Control, type Slider } from "./controls";
 import { h } from "./dom";
-import { capital, symbol } from "./format";
+import { capital, short, symbol } from "./format";
 
 const LATEX = {
   4: [["\\alpha_1", "alpha 1"], ["\\zeta_1", "zeta 1"], ["\\alpha_2", "alpha 2"], ["\\zeta_2", "zeta 2"]],
@@ -222,26 +224,44 @@ export class Inspector {
     const { store } = this;
     const on = toggle("Section by a plane", (section) => store.setting({ section }));
     const clip = toggle("Cut the front away", (value) => store.setting({ clip: value }));
-    const axis = segmented("Normal of the plane", [{ value: "x" as const, label: "x" }, { value: "y" as const, label: "y" }, { value: "z" as const, label: "z" }], (sectionAxis) => store.setting({ sectionAxis }));
-    this.sectionAt = h("div", {});
+    const axis = segmented("Normal of the plane", (["x", "y", "z"] as const).map((value) => ({ value, label: h("i", {}, value), title: `Plane across ${value}` })),
+      (value) => store.setting({ sectionAzimuth: ALONG[value][0], sectionTilt: ALONG[value][1], sectionAt: 0 }));
+    const azimuth = slider({ label: "turn", name: "Azimuth of the plane's normal in degrees", min: -180, max: 180, step: 1, marks: [-90, 0, 90], onInput: (sectionAzimuth) => store.setting({ sectionAzimuth }) });
+    const tilt = slider({ label: "tilt", name: "Tilt of the plane's normal in degrees", min: -90, max: 90, step: 1, marks: [-45, 0, 45], hard: true, onInput: (sectionTilt) => store.setting({ sectionTilt }) });
+    const told = h("p", { class: "hint" });
+    const offset = slider({ label: "at", name: "Place of the section plane", min: -1, max: 1, step: 0.01, onInput: (at) => store.setting({ sectionAt: at - this.middle }) });
+    const parts = [h("div", { class: "row" }, h("span", { class: "caption" }, "Across"), axis.element), azimuth.element, tilt.element, offset.element, told, clip.element];
     this.bindings.push((s) => {
       on.update(s.section);
       clip.update(s.clip);
-      axis.update(s.sectionAxis);
-      clip.element.hidden = axis.element.hidden = this.sectionAt.hidden = !s.section;
-      this.offset?.update(s.sectionAt);
+      const along = (["x", "y", "z"] as const).find((name) => s.sectionTilt === ALONG[name][1] && (name === "z" || s.sectionAzimuth === ALONG[name][0]));
+      axis.update(along ?? ("free" as "x"));
+      azimuth.update(s.sectionAzimuth);
+      tilt.update(s.sectionTilt);
+      for (const part of parts) part.hidden = !s.section;
+      if (s.section) told.textContent = `${this.showOffset(s, offset)}; drag the red points in the picture`;
     });
-    return [on.element, axis.element, this.sectionAt, clip.element];
+    return [on.element, ...parts];
   }
 
-  private sectionAt = h("div", {});
-  private offset: Control<number> | null = null;
+  private middle = 0;
+  private box: Box = { low: [0, 0, 0], high: [1, 1, 1] };
 
-  /** Let the section plane run over this range of its axis. */
-  sectionRange(low: number, high: number): void {
-    const step = 10 ** Math.floor(Math.log10(Math.max(high - low, 1e-12) / 100));
-    this.offset = slider({ label: "at", name: "Place of the section plane", min: low, max: high, step, onInput: (sectionAt) => this.store.setting({ sectionAt }) });
-    this.offset.update(this.store.state.settings.sectionAt);
-    this.sectionAt.replaceChildren(this.offset.element);
+  /** Let the section plane run over a box, from its middle. */
+  sectionBox(box: Box): void {
+    this.box = box;
+  }
+
+  /** Show where the plane stands, a x + b y + c z = d in the model's lengths, and return that in words. */
+  private showOffset(s: Settings, offset: Slider): string {
+    const normal = sectionNormal(s), { low, high } = this.box;
+    this.middle = normal.reduce((sum, n, i) => sum + 0.5 * n * (low[i]! + high[i]!), 0);
+    const reach = normal.reduce((sum, n, i) => sum + 0.5 * Math.abs(n) * (high[i]! - low[i]!), 0) || 1;
+    offset.bounds(this.middle - reach, this.middle + reach, 10 ** Math.floor(Math.log10(reach / 500)));
+    const at = this.middle + s.sectionAt, { unit } = this.store.state.model;
+    offset.update(Number(at.toPrecision(5)));
+    const sum = normal.map((n, i) => [Number(n.toFixed(3)), "xyz"[i]!] as const).filter(([n]) => n !== 0)
+      .map(([n, name], i) => `${n < 0 ? "− " : i ? "+ " : ""}${Math.abs(n) === 1 ? "" : `${Math.abs(n)} `}${name}`).join(" ");
+    return `${sum} = ${short(at)}${unit ? ` ${unit}` : ""}`;
   }
 }

@@ -33,14 +33,14 @@ export class Legend {
         this.note,
       );
     }
-    const { low, high } = range, text = (value: number) => short(value / 10 ** power, 3);
+    const { low, high } = range, text = (value: number) => short(Math.abs(value) <= range.noise ? 0 : value / 10 ** power, 3);
     this.ticks.forEach((tick, i) => {
       const share = i / (this.ticks.length - 1);
       tick.textContent = text(low + (high - low) * share);
       tick.style.bottom = `${100 * share}%`;
     });
     this.histogram(range, dark);
-    const lines: (HTMLElement | string)[] = [h("dl", { class: "facts" }, h("dt", {}, "max"), h("dd", {}, text(range.most)), h("dt", {}, "mean"), h("dd", {}, text(range.mean)), h("dt", {}, "min"), h("dd", {}, text(range.least)))];
+    const lines: (HTMLElement | string)[] = range.missing === range.count ? ["no point has a value"] : [h("dl", { class: "facts" }, h("dt", {}, "max"), h("dd", {}, text(range.most)), h("dt", {}, "mean"), h("dd", {}, text(range.mean)), h("dt", {}, "min"), h("dd", {}, text(range.least)))];
     if (range.below + range.above > 0) lines.push(h("div", {}, `${percent(range.below + range.above)} beyond ends`));
     if (range.missing) lines.push(h("div", { class: "missing" }, swatch(css(UNDEFINED)), `${range.missing} undefined`));
     this.note.replaceChildren(...lines);

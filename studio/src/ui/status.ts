@@ -38,7 +38,8 @@ export class StatusBar {
     const { unit } = state.model;
     this.left.replaceChildren(...(facts.surface ? ["Normal ", normalSide(facts.surface), " ", h("i", { class: "math" }, "S"), h("sub", {}, "u"), " × ", h("i", { class: "math" }, "S"), h("sub", {}, "v")] : ["No surface"]), unit ? ` · lengths in ${unit}` : " · no unit",
       facts.sharp ? ` · smallest radius ${short(facts.sharp.radius)}${unit ? ` ${unit}` : ""} at u = ${short(facts.sharp.u)}, v = ${short(facts.sharp.v)}` : "");
-    const singular = facts.singular ? `${facts.singular} of ${facts.points} points singular (grey)` : "";
+    const bare = facts.singular === facts.points && !facts.warning ? "No point has a tangent plane: this is a curve" : "";
+    const singular = !facts.singular || facts.singular === facts.points ? bare : `${facts.singular} of ${facts.points} points singular (grey)`;
     this.warning.textContent = [singular, facts.warning].filter(Boolean).join(" · ");
     this.right.textContent = `${facts.side} × ${facts.side} points, ${facts.cost.toFixed(1)} ms`;
   }

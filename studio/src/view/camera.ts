@@ -79,16 +79,20 @@ export class Orbit {
     this.elevation = Math.max(-90, Math.min(90, this.elevation + dy * 0.35));
   }
 
-  /** Move the target by a share of the viewport's height. */
-  pan(dx: number, dy: number): void {
+  /** Move the target by a share of the height of a viewport of this shape. */
+  pan(dx: number, dy: number, aspect = 1): void {
     this.goal = null;
-    const { right, up } = this.axes();
-    this.target.addScaledVector(right, -2 * dx * this.span).addScaledVector(up, 2 * dy * this.span);
+    const { right, up } = this.axes(), height = (2 * this.span) / Math.min(1, aspect);
+    this.target.addScaledVector(right, -dx * height).addScaledVector(up, dy * height);
   }
 
-  zoom(factor: number): void {
+  /** Zoom about a point of a viewport of this shape, by shares of its height to the right of and below its middle. */
+  zoom(factor: number, x = 0, y = 0, aspect = 1): void {
     this.goal = null;
+    const before = this.span;
     this.span = Math.max(1e-4, Math.min(20, this.span * factor));
+    const kept = before / this.span - 1;
+    this.pan(-x * kept, -y * kept, aspect);
   }
 
   /** Glide to a view; `still` (reduced motion) jumps. */

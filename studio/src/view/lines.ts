@@ -159,14 +159,14 @@ export class Points {
   private readonly material: ShaderMaterial;
   private readonly geometry = new BufferGeometry();
 
-  constructor() {
+  constructor(onTop = false) {
     this.material = new ShaderMaterial({
-      glslVersion: GLSL3, vertexShader: POINT_VERTEX, fragmentShader: POINT_FRAGMENT, transparent: true, depthTest: true, depthWrite: false,
+      glslVersion: GLSL3, vertexShader: POINT_VERTEX, fragmentShader: POINT_FRAGMENT, transparent: true, depthTest: !onTop, depthWrite: false,
       uniforms: { size: { value: 10 }, lift: { value: 2e-3 }, rim: { value: new Color(1, 1, 1) } },
     });
     this.mesh = new PointCloud(this.geometry, this.material);
     this.mesh.frustumCulled = false;
-    this.mesh.renderOrder = 4;
+    this.mesh.renderOrder = onTop ? 5 : 4;
   }
 
   resize(ratio: number): void {

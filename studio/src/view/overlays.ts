@@ -10,14 +10,17 @@ import { zeroContour } from "./contour";
 import { toScene, type Frame } from "./frame";
 import { Lines, Points } from "./lines";
 import type { SurfaceMesh } from "./mesh";
+import { sectionGrips, sectionOutline, sectionPlane } from "./section";
 
-type Line = "net" | "first" | "second" | "normals" | "teethU" | "teethV" | "combU" | "combV" | "zeroK" | "zeroH" | "section";
+type Line = "net" | "first" | "second" | "normals" | "teethU" | "teethV" | "combU" | "combV" | "zeroK" | "zeroH" | "section" | "plane" | "arm" | "edge";
 
 interface Style {
   readonly width: number;
   readonly light: string;
   readonly dark: string;
   readonly opacity: number;
+  /** Seen through the surface. */
+  readonly onTop?: boolean;
 }
 
 const STYLE: Readonly<Record<Line, Style>> = {
@@ -31,41 +34,52 @@ const STYLE: Readonly<Record<Line, Style>> = {
   combV: { width: 1.75, light: "#b04500", dark: "#ffae70", opacity: 1 },
   zeroK: { width: 2.75, light: "#101418", dark: "#ffffff", opacity: 1 },
   zeroH: { width: 2.75, light: "#a3008f", dark: "#ff9cf2", opacity: 1 },
+  edge: { width: 2.5, light: "#c4007a", dark: "#ff7ac8", opacity: 1 },
+  plane: { width: 1.25, light: "#c2102e", dark: "#ff6b81", opacity: 0.55 },
+  arm: { width: 1.75, light: "#c2102e", dark: "#ff6b81", opacity: 0.8, onTop: true },
   section: { width: 3, light: "#c2102e", dark: "#ff6b81", opacity: 1 },
 };
+
+const LINES = Object.keys(STYLE) as Line[];
+const FROM_SURFACE = LINES.filter((name) => name !== "net" && name !== "edge");
 
 /** The colours of overlay lines in a theme, for the key beside their switches. */
 export const lineColour = (line: Line, dark: boolean): string => STYLE[line][dark ? "dark" : "light"];
 
+const GRIP = [0.76, 0.06, 0.18, 1];
 const RELATIVE = THRESHOLDS.relative; // of the curvedness: below it K and H count as zero, as in the classifications
 
 export class Overlays {
   readonly group = new Group();
   readonly points = new Points();
+  /** What the section plane is moved and tilted by. */
+  private readonly grips = new Points(true);
   /** Points of the drawn control net in the scene. */
   netPoints: (readonly number[])[] = [];
   private readonly lines = Object.fromEntries(
-    (Object.keys(STYLE) as Line[]).map((name) => [name, new Lines(STYLE[name].light, STYLE[name].width, STYLE[name].opacity)]),
+    (LINES).map((name) => [name, new Lines(STYLE[name].light, STYLE[name].width, STYLE[name].opacity, STYLE[name].onTop)]),
   ) as Record<Line, Lines>;
 
   constructor() {
-    for (const name of Object.keys(STYLE) as Line[]) this.group.add(this.lines[name].mesh);
-    this.group.add(this.points.mesh);
+    for (const name of LINES) this.group.add(this.lines[name].mesh);
+    this.group.add(this.points.mesh, this.grips.mesh);
+    this.grips.fill([], []);
   }
 
   resize(width: number, height: number, ratio: number): void {
-    for (const name of Object.keys(STYLE) as Line[]) this.lines[name].resize(width, height, ratio, STYLE[name].width);
+    for (const name of LINES) this.lines[name].resize(width, height, ratio, STYLE[name].width);
     this.points.resize(ratio);
+    this.grips.resize(ratio);
   }
 
   theme(dark: boolean): void {
-    for (const name of Object.keys(STYLE) as Line[]) this.lines[name].colour = lineColour(name, dark);
+    for (const name of LINES) this.lines[name].colour = lineColour(name, dark);
   }
 
   /** Redraw what follows from the surface's numbers. */
   update(mesh: SurfaceMesh, settings: Settings, frame: Frame, tooth: number): void {
     const n = mesh.side;
-    for (const name of Object.keys(STYLE) as Line[]) if (name !== "net") this.lines[name].begin();
+    for (const name of FROM_SURFACE) this.lines[name].begin();
     if (n > 1) {
       if (settings.directions) this.directions(mesh);
       if (settings.normals) this.normals(mesh);
@@ -81,9 +95,18 @@ export class Overlays {
       if (settings.section) {
         const [a, b, c, d] = sectionPlane(settings, frame), x = mesh.position;
         zeroContour((p) => a * x[3 * p]! + b * x[3 * p + 1]! + c * x[3 * p + 2]! - d, n, x, this.lines.section);
-      }
+        this.showPlane(settings, frame);
+      } else this.grips.fill([], []);
     }
-    for (const name of Object.keys(STYLE) as Line[]) if (name !== "net") this.lines[name].end();
+    for (const name of FROM_SURFACE) this.lines[name].end();
+  }
+
+  /** The outline of the section plane, its normal, and the grips that move and tilt it. */
+  private showPlane(settings: Settings, frame: Frame): void {
+    const corners = sectionOutline(settings, frame), { move, tilt } = sectionGrips(settings, frame);
+    corners.forEach((corner, i) => this.lines.plane.join(corner, corners[(i + 1) % corners.length]!));
+    this.lines.arm.join(move, tilt);
+    this.grips.fill([move, tilt], [GRIP, [...GRIP.slice(0, 3), 0.5]]);
   }
 
   /** Redraw the control net and the points that can be dragged. */
@@ -101,9 +124,21 @@ export class Overlays {
     this.points.fill(handles.map((h) => toScene(frame, h.position)), handles.map(tint));
   }
 
+  /** Redraw the edge of regression where it lies inside the strip. */
+  edge(pieces: readonly (readonly (readonly number[])[])[], frame: Frame): void {
+    const { edge } = this.lines;
+    edge.begin();
+    for (const piece of pieces) {
+      const scene = piece.map((p) => toScene(frame, p));
+      for (let i = 0; i + 1 < scene.length; i++) edge.join(scene[i]!, scene[i + 1]!);
+    }
+    edge.end();
+  }
+
   dispose(): void {
-    for (const name of Object.keys(STYLE) as Line[]) this.lines[name].dispose();
+    for (const name of LINES) this.lines[name].dispose();
     this.points.dispose();
+    this.grips.dispose();
   }
 
   /** Principal directions, κ1 strong and κ2 light, as crosses at about 16 × 16 points. */
@@ -186,15 +221,6 @@ export function toothOf(meshes: readonly SurfaceMesh[], settings: Settings, fram
     }
   }
   return longest * size > 1e-9 ? (0.22 * settings.combScale * size * frame.scale) / longest : 0;
-}
-
-/** The section plane in the scene, (a, b, c, d) of a x + b y + c z = d; `offset` runs over the surface's ball. */
-export function sectionPlane(settings: Settings, frame: Frame): [number, number, number, number] {
-  const axis = { x: 0, y: 1, z: 2 }[settings.sectionAxis];
-  const plane: [number, number, number, number] = [0, 0, 0, 0];
-  plane[axis] = 1;
-  plane[3] = (settings.sectionAt - frame.centre[axis]!) * frame.scale;
-  return plane;
 }
 
 /** Call `act` at about 16 × 16 points of the grid, with the scene distance between them. */

@@ -17,11 +17,14 @@ export interface Range {
   /** Grid points without a value. */
   readonly missing: number;
   readonly count: number;
+  /** Below this a value is rounding. */
+  readonly noise: number;
   /** How many values fall in each of 48 steps from low to high. */
   readonly histogram: readonly number[];
 }
 
-const NOISE = 1e-9;
+const NOISE = 1e-9; // of the scale: a range as narrow as this shows nothing
+const ROUNDING = 1e-12; // of the scale, as in Python's tables
 const BINS = 48;
 let pool = new Float32Array(0);
 
@@ -54,7 +57,7 @@ export function rangeOf(meshes: readonly SurfaceMesh[], q: Quantity, settings: S
   }
   const share = n ? 1 / n : 0;
   return {
-    low, high, below: below * share, above: above * share, least, most, mean: n ? sum / n : NaN, missing: total - n, count: total, histogram,
+    low, high, below: below * share, above: above * share, least, most, mean: n ? sum / n : NaN, missing: total - n, count: total, histogram, noise: ROUNDING * scale,
   };
 }
 
@@ -88,17 +91,13 @@ function ends(values: Float32Array, least: number, most: number, q: Quantity, se
 /** The extreme where it is hardly beyond the robust end, else the robust end. */
 const reach = (robust: number, extreme: number): number => (extreme <= 1.5 * robust ? extreme : robust);
 
-/** The size against which rounding of a quantity is judged: the largest curvedness, or the size of the surface. */
+/** The size against which rounding of a quantity is judged, as in Python's figures: the largest curvedness but for 2 %, or the size. */
 function naturalScale(mesh: SurfaceMesh, q: Quantity): number {
   const { size, planes, stride, count } = mesh.grid;
   if (q.power === 0 || !(size > 0)) return 1;
   if (q.power > 0) return size ** q.power;
-  let largest = 1 / size;
-  for (let p = 0; p < count; p += 7) {
-    const bend = planes[PLANE.curvedness * stride + p]!;
-    if (bend > largest && bend < Infinity) largest = bend;
-  }
-  return largest ** -q.power;
+  const bends = Float32Array.from({ length: Math.ceil(count / 7) }, (_, i) => planes[PLANE.curvedness * stride + 7 * i]!).filter(Number.isFinite);
+  return Math.max(bends.length ? select(bends, 0.98) : 0, 1 / size) ** -q.power;
 }
 
 /** The value below which a share of the numbers lies, by Hoare's selection; reorders them. */

@@ -8,10 +8,13 @@ import { BACK, FRONT, UNDEFINED, type Rgb } from "../ui/colours";
 import { Orbit, VIEWS, type ViewName } from "./camera";
 import type { Frame } from "./frame";
 import { vector, SurfaceMesh } from "./mesh";
-import { Overlays, sectionPlane } from "./overlays";
+import { Overlays } from "./overlays";
 import { pick, type Hit } from "./pick";
 import type { Range } from "./range";
+import { sectionPlane } from "./section";
 import { paintStill } from "./still";
+
+const FAR = 6; // radii from the middle, beyond which control points are let out of the picture
 
 /** One surface in a cell. */
 export class Piece {
@@ -165,6 +168,18 @@ export class Stage {
     }
   }
 
+  /** Zoom about a point of the canvas, in CSS pixels. */
+  zoomAt(factor: number, x: number, y: number): void {
+    const c = this.cells[Math.max(0, this.cellAt(x, y))]!;
+    this.orbit.zoom(factor, (x - c.x) / c.height - (0.5 * c.width) / c.height, (y - c.y) / c.height - 0.5, c.width / c.height);
+  }
+
+  /** Let the picture follow the pointer by so many CSS pixels. */
+  pan(dx: number, dy: number): void {
+    const { width, height } = this.cells[0]!;
+    this.orbit.pan(dx / height, dy / height, width / height);
+  }
+
   /** The cell at a point of the canvas, in CSS pixels. */
   cellAt(x: number, y: number): number {
     return this.cells.findIndex((c) => x >= c.x && x < c.x + c.width && y >= c.y && y < c.y + c.height);
@@ -201,12 +216,12 @@ export class Stage {
     return best;
   }
 
-  view(name: ViewName, still: boolean, margin: number): void {
-    this.fit(still, margin, VIEWS[name]);
+  view(name: ViewName, frame: Frame, still: boolean, margin: number): void {
+    this.fit(frame, still, margin, VIEWS[name]);
   }
 
   /** Look from a direction, everything in the picture, clear of a strip on the right `margin` CSS pixels wide. */
-  fit(still: boolean, margin: number, [azimuth, elevation]: readonly [number, number] = [this.orbit.azimuth, this.orbit.elevation]): void {
+  fit(frame: Frame, still: boolean, margin: number, [azimuth, elevation]: readonly [number, number] = [this.orbit.azimuth, this.orbit.elevation]): void {
     const cell = this.cells[0];
     if (!cell) return;
     const trial = new Orbit();
@@ -231,8 +246,8 @@ export class Stage {
       for (const { pieces } of this.cells) {
         for (const { mesh, overlays } of pieces) {
           const x = mesh.position, step = 3 * Math.max(1, Math.floor(mesh.side / 24));
-          for (let at = 0; at + 2 < x.length; at += step) take(x[at]!, x[at + 1]!, x[at + 2]!);
-          for (const point of overlays.netPoints) take(point[0]!, point[1]!, point[2]!);
+          for (let at = 0; at + 2 < x.length; at += step) if (within(frame, x[at]!, x[at + 1]!, x[at + 2]!)) take(x[at]!, x[at + 1]!, x[at + 2]!);
+          for (const [px, py, pz] of overlays.netPoints) if (Math.hypot(px!, py!, pz!) < FAR) take(px!, py!, pz!);
         }
       }
       if (!(most >= left)) break;
@@ -276,6 +291,10 @@ export function lightOf(settings: Settings): Vector3 {
   const a = (settings.lightAzimuth * Math.PI) / 180, e = (settings.lightElevation * Math.PI) / 180;
   return new Vector3(Math.cos(e) * Math.cos(a), Math.cos(e) * Math.sin(a), Math.sin(e));
 }
+
+/** Whether a point lies in the box that the picture is framed on: what runs off to infinity is let run out of it. */
+const within = ({ half: [a, b, c] }: Frame, x: number, y: number, z: number): boolean =>
+  Math.abs(x) <= a + 0.04 && Math.abs(y) <= b + 0.04 && Math.abs(z) <= c + 0.04;
 
 function set(target: unknown, colour: Rgb): void {
   (target as Vector3).copy(vector(colour));

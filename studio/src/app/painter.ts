@@ -1,0 +1,124 @@
+/** Keeps the picture up to date: evaluates what changed, at as many points as a frame's time allows. */
+
+import { handles, polylines } from "../edit/handles";
+import { regression } from "../numerics/envelope";
+import { build, type Patch } from "../numerics/model";
+import { QUANTITY } from "../numerics/quantity";
+import { analyse } from "../numerics/sample";
+import type { Surface } from "../numerics/surface";
+import type { Frame } from "../view/frame";
+import type { SurfaceMesh } from "../view/mesh";
+import { toothOf } from "../view/overlays";
+import { sharpest, type Sharpest } from "../view/radius";
+import type { Cell, Piece, Stage } from "../view/stage";
+import type { Shown } from "./cells";
+import type { Settings } from "./settings";
+import type { State } from "./state";
+
+const FRAME_BUDGET = 9; // ms that evaluating everything may take while something moves
+
+export class Painter {
+  /** How long the last evaluation took, ms, and at how many points a side. */
+  cost = 0;
+  side = 0;
+  private coarse = 75;
+
+  constructor(private readonly stage: Stage, private readonly fail: (message: string) => void) {}
+
+  get meshes(): SurfaceMesh[] {
+    return this.stage.cells.flatMap((cell) => cell.pieces.map((piece) => piece.mesh));
+  }
+
+  /** Evaluate the surfaces whose patch, resolution or frame changed; the time that it took, ms. */
+  evaluate(shown: readonly Shown[], { settings, moving }: State, frame: Frame): number {
+    this.side = this.points(settings, moving, shown.length);
+    const start = performance.now();
+    let points = 0;
+    shown.forEach(({ model }, i) => {
+      const cell = this.stage.cells[i]!;
+      cell.resizePieces(model.patches.length);
+      model.patches.forEach((patch, k) => (points += this.piece(cell.pieces[k]!, patch, settings, frame)));
+    });
+    const time = performance.now() - start;
+    if (points) this.pace(time, points, settings.resolution);
+    return time;
+  }
+
+  /** Bring the lines and points over the surfaces up to date. */
+  decorate(shown: readonly Shown[], state: State, frame: Frame): void {
+    const tooth = state.settings.combs === "off" ? 0 : toothOf(this.meshes, state.settings, frame);
+    shown.forEach(({ editable }, i) => this.overlay(this.stage.cells[i]!, state, frame, editable, tooth));
+  }
+
+  /** The sharpest point of each cell. */
+  sharpest(): { cell: number; at: Sharpest }[] {
+    return this.stage.cells.flatMap(({ pieces }, cell) => {
+      const found = pieces.map((piece) => (piece.surface ? sharpest(piece.surface, piece.mesh) : null)).filter((one) => one !== null);
+      const least = found.sort((a, b) => a.radius - b.radius)[0];
+      return least ? [{ cell, at: least }] : [];
+    });
+  }
+
+  private piece(piece: Piece, patch: Patch, settings: Settings, frame: Frame): number {
+    const { side } = this;
+    const same = piece.patch === patch && piece.side === side && piece.frame === frame;
+    if (same && piece.quantity !== settings.quantity) piece.mesh.paint(settings.quantity);
+    piece.quantity = settings.quantity;
+    if (same) return 0;
+    try {
+      if (piece.patch !== patch) piece.surface = build(patch);
+    } catch (error) {
+      this.fail((error as Error).message);
+      return 0;
+    }
+    piece.patch = patch;
+    piece.side = side;
+    piece.frame = frame;
+    piece.settings = null;
+    piece.mesh.update(piece.surface!, side, settings.quantity, frame);
+    return side * side;
+  }
+
+  private overlay(cell: Cell, state: State, frame: Frame, editable: boolean, tooth: number): void {
+    cell.pieces.forEach((piece, i) => {
+      if (!piece.surface || !piece.patch) return;
+      if (piece.settings !== state.settings || piece.tooth !== tooth) piece.overlays.update(piece.mesh, state.settings, frame, tooth);
+      piece.settings = state.settings;
+      piece.tooth = tooth;
+      const net = state.settings.net;
+      const grips = net && editable && i === state.patch ? handles(piece.patch, piece.surface) : [];
+      piece.overlays.net(net ? polylines(piece.patch, piece.surface) : [], grips, state.selected, frame);
+      // Found by a search of its own, so not while something moves.
+      piece.overlays.edge(state.moving ? [] : edgeOf(piece.patch, piece.surface), frame);
+    });
+  }
+
+  /** Points a side: as many as can be afforded while something moves, more at rest where classes have edges. */
+  private points(settings: Settings, moving: boolean, cells: number): number {
+    if (moving) return Math.min(settings.resolution, this.coarse);
+    return QUANTITY[settings.quantity]?.colour === "classes" && cells === 1 ? 2 * settings.resolution : settings.resolution;
+  }
+
+  /** Choose how many points a side leave a frame's time while something moves. */
+  private pace(time: number, points: number, full: number): void {
+    this.cost = time;
+    const perPoint = time / points, pieces = this.stage.cells.reduce((sum, cell) => sum + cell.pieces.length, 0);
+    const fits = Math.sqrt(FRAME_BUDGET / perPoint / Math.max(1, pieces));
+    this.coarse = fits >= full ? full : Math.max(36, Math.min(full, Math.round(fits)));
+  }
+}
+
+const edges = new WeakMap<Surface, number[][][]>();
+
+/** The pieces of the edge of regression that lie inside a developable strip, points of length¹. */
+function edgeOf(patch: Patch, surface: Surface): number[][][] {
+  if (patch.kind !== "developable") return [];
+  const known = edges.get(surface);
+  if (known) return known;
+  const found = regression(surface).map(({ u, v }) => {
+    const { point } = analyse(surface, u, v, true, ["point"]);
+    return u.map((_, p) => Array.from(point!.subarray(3 * p, 3 * p + 3)));
+  });
+  edges.set(surface, found);
+  return found;
+}
