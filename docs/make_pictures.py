@@ -1,9 +1,14 @@
 """Draw the pictures of the README and the guide: ``python docs/make_pictures.py``."""
 
 from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from matplotlib.figure import Figure
 
 import quintrig
 from quintrig.figure import Scene, comparison, panels, save, space_picture
+from quintrig.figure.parallel import parallel_coordinates
+from quintrig.sweep import Axis, DesignSpace, Question, Task, open_sweep, run, select
 
 HERE = Path(__file__).parent
 EXAMPLES = HERE.parent / "examples"
@@ -30,6 +35,19 @@ def main() -> None:
         dpi=100,
     )
     save(space_picture(vault.surface, "mean", Scene(isolines=7), unit="m"), OUT / "vault_mean.png", dpi=110)
+    save(lids(boot), OUT / "sweep.png", dpi=110)
+
+
+def lids(boot: quintrig.Model) -> Figure:
+    """Return the picture of the sweep that the guide shows."""
+    names = ("alpha1", "zeta1", "alpha2", "zeta2")
+    space = DesignSpace(tuple(Axis(name, -3.0, 1.0, 9) for name in names))
+    best = "bending_energy"
+    with TemporaryDirectory() as folder:
+        sweep = open_sweep(Path(folder), Task(boot.to_dict(), boot.name, space))
+        run(sweep)
+        rows = select(sweep, Question("gaussian_min >= -0.00003 AND curvedness_max <= 0.02", best))
+    return parallel_coordinates(rows, names, boot.surface, best=best, unit=boot.unit)
 
 
 if __name__ == "__main__":

@@ -134,3 +134,31 @@ def test_a_scheduler_that_cannot_be_reached_is_told_in_one_line(tmp_path, monkey
     assert result.err.splitlines()[-1].startswith("quintrig: --scheduler")
     # The folder is ready for another try.
     assert command("sweep", CAR, "--vary", "zeta1=0:1:3", "-o", tmp_path / "out", "--points", 8).code == 0
+
+
+def test_a_scheduler_without_workers_is_told_in_one_line_and_the_sweep_goes_on_later(tmp_path, monkeypatch):
+    monkeypatch.setattr(sys.modules["quintrig.sweep.run"], "_IDLE", 1.5)
+    arguments = ("sweep", CAR, "--vary", "zeta1=0:1:3", "-o", tmp_path / "out", "--points", 8)
+    with distributed.LocalCluster(n_workers=0, dashboard_address=":0", silence_logs=50) as empty:
+        result = command(*arguments, "--scheduler", empty.scheduler_address)
+        assert result.code == 2
+        said = f"quintrig: --scheduler {empty.scheduler_address}: has had no worker"
+        assert result.err.splitlines()[-1].startswith(said)
+    assert command(*arguments).code == 0
+
+
+def test_workers_that_all_die_are_told_of_and_what_they_did_stays(tmp_path, monkeypatch):
+    monkeypatch.setattr(sys.modules["quintrig.sweep.run"], "_IDLE", 1.5)
+    monkeypatch.setattr(sweep_store, "PART", 16)
+    wanted = task((9, 9, 2, 2), 16)
+    with two_workers() as cluster:
+
+        def dismiss(done, total):
+            if done >= 32:
+                cluster.scale(0)
+
+        with pytest.raises(QuintrigError, match="has had no worker"):
+            run(open_sweep(tmp_path / "s", wanted), cluster.scheduler_address, progress=dismiss)
+    assert 2 <= len(list((tmp_path / "s").glob("part-*"))) < 21
+    run(open_sweep(tmp_path / "s", wanted))
+    assert len(everything(tmp_path / "s")) == wanted.space.count

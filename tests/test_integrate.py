@@ -21,7 +21,7 @@ def waved(seed=0, amplitude=1.0):
 CLOSED = {
     "sphere": (
         quintrig.sphere(2),
-        {"area": 16 * PI, "total_gaussian": 4 * PI, "total_mean": -8 * PI, "bending": 8 * PI},
+        {"area": 16 * PI, "total_gaussian": 4 * PI, "total_mean": -8 * PI, "bending_energy": 8 * PI},
     ),
     "ellipsoid": (quintrig.ellipsoid(3, 2, 1), {"total_gaussian": 4 * PI}),
     "torus": (
@@ -30,12 +30,12 @@ CLOSED = {
             "area": 12 * PI**2,
             "total_gaussian": 0,
             "total_mean": -6 * PI**2,
-            "bending": 4 * PI**2 * 9 / np.sqrt(8),
+            "bending_energy": 4 * PI**2 * 9 / np.sqrt(8),
         },
     ),
     "cylinder": (
         quintrig.cylinder(2, 3),
-        {"area": 12 * PI, "total_gaussian": 0, "total_mean": -3 * PI, "bending": 3 * PI},
+        {"area": 12 * PI, "total_gaussian": 0, "total_mean": -3 * PI, "bending_energy": 3 * PI},
     ),
     "catenoid": (
         quintrig.catenoid(1.5, 4),
@@ -43,7 +43,7 @@ CLOSED = {
             "area": PI * 1.5 * (4 + 1.5 * np.sinh(4 / 1.5)),
             "total_gaussian": -4 * PI * np.tanh(2 / 1.5),
             "total_mean": 0,
-            "bending": 8 * PI * np.tanh(2 / 1.5),
+            "bending_energy": 8 * PI * np.tanh(2 / 1.5),
         },
     ),
     "helicoid": (
@@ -53,11 +53,11 @@ CLOSED = {
     "enneper": (quintrig.enneper(1), {"area": 4 + 16 / 3 + 8 / 5 + 8 / 9, "total_mean": 0}),
     "hyperbolic paraboloid": (
         quintrig.hyperbolic_paraboloid(1),
-        {"total_gaussian": -2 * PI / 3, "total_mean": 0, "thin_plate": 32},
+        {"total_gaussian": -2 * PI / 3, "total_mean": 0, "thin_plate_energy": 32},
     ),
     "plane": (
         quintrig.ruled([[0, 0], [4, 0]] @ np.eye(2, 3), [[0, 3], [4, 3]] @ np.eye(2, 3), basis="bernstein"),
-        {"area": 12, "total_gaussian": 0, "total_mean": 0, "bending": 0, "thin_plate": 0},
+        {"area": 12, "total_gaussian": 0, "total_mean": 0, "bending_energy": 0, "thin_plate_energy": 0},
     ),
 }
 
@@ -75,7 +75,7 @@ def test_closed_forms_are_met_within_the_stated_error(name):
 
 def test_total_curvature_and_bending_of_a_minimal_surface_are_one():
     result = integrals(quintrig.enneper(1))
-    assert result.bending.value == pytest.approx(-2 * result.total_gaussian.value, rel=1e-12)
+    assert result.bending_energy.value == pytest.approx(-2 * result.total_gaussian.value, rel=1e-12)
 
 
 @pytest.mark.parametrize("shape", [(0, 0), (1, -3), (-4, 1)])
@@ -107,7 +107,7 @@ def test_integrals_scale_and_flip_as_their_table_says(seed, shape, scale, flip):
     other = integrals(quintrig.tensor(scale * net, shape, flip=flip), tolerance=1e-6)
     for row in INTEGRALS:
         sign = -1 if flip and row.parity == "odd" else 1
-        size = one.area.value ** (row.power / 2) * (1 + one.bending.value)
+        size = one.area.value ** (row.power / 2) * (1 + one.bending_energy.value)
         assert other[row.key].value == pytest.approx(
             sign * scale**row.power * one[row.key].value, rel=1e-9, abs=1e-9 * size * scale**row.power
         )
@@ -122,22 +122,22 @@ def test_gauss_bonnet_on_a_patch_with_straight_sides():
     result = integrals(surface)
     # The normal at the sides tips, but the sides are straight lines, which are geodesics, and the corners are flat.
     assert result.total_gaussian.value == pytest.approx(0, abs=1e-9)
-    assert result.bending.value > 1
+    assert result.bending_energy.value > 1
 
 
 def test_an_apex_has_finite_mean_and_infinite_bending():
     result = integrals(quintrig.cone(1, 2))
     assert result.area.value == pytest.approx(PI * np.sqrt(5), rel=1e-12)
     assert result.total_mean.value == pytest.approx(-2 * PI, rel=1e-12)
-    assert result.bending.status == "grows without bound"
+    assert result.bending_energy.status == "grows without bound"
     # κ = 2 / (√5 ρ) on rings dA = 2π √5 ρ dρ: halving the least ρ always adds the same.
-    assert result.bending.error == pytest.approx(8 * PI / np.sqrt(5) * np.log(2), rel=0.01)
+    assert result.bending_energy.error == pytest.approx(8 * PI / np.sqrt(5) * np.log(2), rel=0.01)
     assert any("bending energy grows" in line for line in result.cautions)
 
 
 def test_an_edge_with_alpha_minus_four_is_flagged():
     result = integrals(quintrig.tensor(waved(), (-4, 1, -3, -3)))
-    assert result.bending.status == "grows without bound"
+    assert result.bending_energy.status == "grows without bound"
     assert result.area.converged
     assert result.total_gaussian.converged
     assert result.total_mean.converged
@@ -146,16 +146,16 @@ def test_an_edge_with_alpha_minus_four_is_flagged():
 def test_a_value_that_is_not_reached_says_so_and_its_error_is_honest():
     surface = quintrig.tensor(waved(3, 2.0), (1, 1, 1, 1))
     coarse, fine = integrals(surface, panels=2), integrals(surface)
-    assert coarse.bending.status == "not converged"
+    assert coarse.bending_energy.status == "not converged"
     assert any("bending energy" in line and "not reached" in line for line in coarse.cautions)
-    assert abs(coarse.bending.value - fine.bending.value) <= coarse.bending.error
+    assert abs(coarse.bending_energy.value - fine.bending_energy.value) <= coarse.bending_energy.error
 
 
 def test_a_surface_without_area_has_no_curvature():
     for net in (np.zeros((6, 6, 3)), waved() * [1, 0, 0]):
         result = integrals(quintrig.tensor(net))
         assert result.area.value == pytest.approx(0, abs=1e-12)
-        assert result.bending.status == "undefined"
+        assert result.bending_energy.status == "undefined"
         assert np.isnan(result.total_gaussian.value)
         assert result.undefined == 1
 

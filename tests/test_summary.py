@@ -68,7 +68,7 @@ def test_the_poles_of_a_sphere_are_told():
     only(result.warnings, "The edge u = 0 is a single point")
     only(result.notes, "33 of 1089", "vertical")
     assert not any("vertical" in line for line in result.warnings)
-    assert result.integrals.bending.converged
+    assert result.integrals.bending_energy.converged
 
 
 def test_an_apex_is_told_with_what_is_infinite_there():

@@ -5,6 +5,8 @@ import pytest
 
 from cli_runner import quintrig
 from quintrig.errors import QuintrigError
+from quintrig.figure.parallel import parallel_coordinates
+from quintrig.model import Model
 from quintrig.sweep import Axis, DesignSpace, Question, Task, count, load_sweep, open_sweep, run, select
 from quintrig.sweep import store as sweep_store
 from quintrig.sweep.part import columns
@@ -189,6 +191,20 @@ def test_the_picture_is_written(lids, tmp_path, suffix):
     assert file.stat().st_size > 1000
     if suffix == "svg":
         assert "<svg" in file.read_text()
+
+
+def test_the_picture_says_the_side_of_the_normal_and_the_unit():
+    rows = {"alpha1": np.array([0.0, 1.0]), "bending_energy": np.array([2.0, 1.0]), "mean_min": np.array([0.0, 1.0])}
+    for flip, side in ((True, "turned, against"), (False, "along")):
+        surface = Model.from_dict({**SWUNG, "flip": flip}).surface
+        texts = [text.get_text() for text in parallel_coordinates(rows, ("alpha1",), surface, unit="cm").texts]
+        assert any(f"ormal {side}" in text and text.endswith("lengths in cm") for text in texts)
+
+
+def test_infinite_designs_are_left_out_of_the_picture_and_counted():
+    rows = {"alpha1": np.array([0.0, 1.0, -4.0]), "bending_energy": np.array([2.0, 1.0, np.inf])}
+    drawn = parallel_coordinates(rows, ("alpha1",), Model.from_dict(SWUNG).surface)
+    assert drawn.texts[0].get_text() == "3 designs; 1 with an infinite or undefined value left out"
 
 
 def test_nothing_to_draw_is_a_mistake_and_writes_nothing(lids, tmp_path):

@@ -72,14 +72,21 @@ def expected(surface, count):
     return result
 
 
+def is_endless(found, name):
+    """Tell whether a value is infinite with the right sign beside a singular point or edge of regression."""
+    assert not np.isinf(found[name]) or (name not in ("area", "thin_plate_energy") and "_mean" not in name)
+    return found[name] == (-np.inf if name.endswith("_min") else np.inf) and found["curvedness_max"] == np.inf
+
+
 def compare(found, wanted):
+    """Compare a summary with one from the same points; infinity is the business of ``test_sweep_unbounded``."""
     curved = wanted["curvedness_max"]
     for key, power in CURVATURES.items():
         for what in ("min", "max", "mean"):
             name = f"{key}_{what}"
-            assert abs(found[name] - wanted[name]) <= 1e-11 * curved**power, name
+            assert abs(found[name] - wanted[name]) <= 1e-11 * curved**power or is_endless(found, name), name
     for name in ("area", "thin_plate_energy", "bending_energy"):
-        assert found[name] == pytest.approx(wanted[name], rel=1e-11), name
+        assert found[name] == pytest.approx(wanted[name], rel=1e-11) or is_endless(found, name), name
     assert found["singular"] == wanted["singular"]
     for name in COLUMNS:
         if name.startswith("share_"):
@@ -110,7 +117,7 @@ def test_affine_path_is_the_plain_path(name):
     nodes, w = clenshaw_curtis(16)
     run = summariser(patch.surface.rows.size, 16)
     for values, found in rows(task):
-        part = single_part(patch, values, nodes, nodes, 16)
+        part = single_part(with_parameters(patch, values).surface, nodes, nodes, 16)
         plain = np.empty((1, len(COLUMNS)))
         run(part.rows, part.blend, np.empty((1, 0)), w, w, patch.surface.sign, SINGULAR, 1e-6, 1e-6, plain)
         compare(found, dict(zip(COLUMNS, plain[0], strict=True)))
@@ -136,8 +143,8 @@ def test_integrals_are_met_within_the_error_of_the_quadrature(name):
         exact = integrals(with_parameters(patch, values).surface)
         wanted = {
             "area": exact.area,
-            "bending_energy": exact.bending,
-            "thin_plate_energy": exact.thin_plate,
+            "bending_energy": exact.bending_energy,
+            "thin_plate_energy": exact.thin_plate_energy,
         }
         for key, integral in wanted.items():
             assert integral.converged

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from quintrig.arrays import BoolArray, FloatArray
-from quintrig.basis import SHAPE_RANGE, Bernstein, Trigonometric
-from quintrig.envelope import regression
+from quintrig.basis import SHAPE_RANGE, Trigonometric
+from quintrig.envelope import inner_regression
 from quintrig.extremes import Extremes
 from quintrig.functions import Functions, Joined
 from quintrig.invariants import VERTICAL
@@ -19,7 +19,6 @@ EDGES = ("u = 0", "u = 1", "v = 0", "v = 1")
 CORNERS = ("(0, 0)", "(0, 1)", "(1, 0)", "(1, 1)")
 
 _ALONG = 33  # points on an edge
-_PARALLEL = 1e-9  # sine of the angle between the normals at the ends of a ruling of a developable, from rounding
 
 
 @dataclass(frozen=True)
@@ -213,18 +212,10 @@ def _coincident(net: FloatArray, axis: int, extent: float) -> BoolArray:
 
 def _regression(surface: Surface) -> list[str]:
     """The edge of regression of a ruled developable."""
-    if surface.blend != Bernstein(1):
+    found = inner_regression(surface)
+    if found is None:
         return []
-    u = np.linspace(0.0, 1.0, _ALONG)
-    ends = [surface.partials(u, np.full_like(u, v), 1) for v in (0.0, 1.0)]
-    first, second = (np.cross(p[1, 0], p[0, 1]) for p in ends)
-    sine = np.linalg.norm(np.cross(first, second), axis=-1)
-    if (sine > _PARALLEL * np.linalg.norm(first, axis=-1) * np.linalg.norm(second, axis=-1)).any():
-        return []  # the tangent plane turns along a ruling: not developable
-    found = regression(surface).intervals
-    if not found:
-        return []
-    ranges = " and ".join(f"[{low:.6g}, {high:.6g}]" for low, high in found)
+    ranges = " and ".join(f"[{low:.6g}, {high:.6g}]" for low, high in found.intervals)
     return [
         f"The edge of regression lies inside the strip or on its boundary for u in {ranges}: the surface is "
         "singular along it and folds back on itself; take other bounding planes or boundaries, or trim."

@@ -14,6 +14,8 @@ from quintrig.surface import Net, Surface
 
 _FINE = 1e-10  # to which ends of intervals are bisected
 _PARALLEL = 1e-6  # sine between the normals at both ends of a ruling, above which a surface is not developable
+_ALONG = 33  # rulings on which a surface must be developable, to rounding, for its edge of regression to be told
+_TURNED = 1e-9  # the sine from rounding alone
 
 
 def developable(
@@ -163,6 +165,18 @@ def regression(surface: Surface, samples: int = 513) -> Regression:
     intervals = _wide(surface, u, inside) + [(low, high) for low, high in narrow if high - low > 3.0 * _FINE]
     still = [float(x) for x in u[~moves]] + [low for low, high in narrow if high - low <= 3.0 * _FINE]
     return Regression(u, v, inside, tuple(sorted(intervals)), tuple(sorted(still)))
+
+
+def inner_regression(surface: Surface) -> Regression | None:
+    """Return the edge of regression where it lies inside the strip of a developable; None for all other surfaces."""
+    if surface.blend != Bernstein(1):
+        return None
+    first, second = _areas(surface, np.linspace(0.0, 1.0, _ALONG))
+    turned = np.linalg.norm(np.cross(first, second), axis=-1)
+    if (turned > _TURNED * np.linalg.norm(first, axis=-1) * np.linalg.norm(second, axis=-1)).any():
+        return None  # the tangent plane turns along a ruling
+    found = regression(surface)
+    return found if found.intervals else None
 
 
 def _areas(surface: Surface, u: FloatArray) -> tuple[FloatArray, FloatArray]:

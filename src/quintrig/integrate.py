@@ -43,7 +43,7 @@ INTEGRALS: tuple[Quantity, ...] = (
         "diverging",
     ),
     Quantity(
-        "bending",
+        "bending_energy",
         "∫(κ1²+κ2²) dA",
         r"\int (\kappa_1^2+\kappa_2^2)\,\mathrm{d}A",
         "bending energy",
@@ -54,7 +54,7 @@ INTEGRALS: tuple[Quantity, ...] = (
         "sequential",
     ),
     Quantity(
-        "thin_plate",
+        "thin_plate_energy",
         "∬(|S_uu|²+2|S_uv|²+|S_vv|²) du dv",
         r"\iint (|S_{uu}|^2+2|S_{uv}|^2+|S_{vv}|^2)\,\mathrm{d}u\,\mathrm{d}v",
         "thin-plate energy",
@@ -81,8 +81,8 @@ class Integrals:
     area: Integral
     total_gaussian: Integral
     total_mean: Integral
-    bending: Integral
-    thin_plate: Integral
+    bending_energy: Integral
+    thin_plate_energy: Integral
     tolerance: float
     points: int
     undefined: float

@@ -149,8 +149,8 @@ def _answer(found: "Sweep", question: "Question", top: int, plot: Path | None) -
     if unfinished:
         session.messages().print(f"{unfinished} of {found.parts} parts are missing: the answer is of the others")
     matching = count(found, question)
-    which = orientation(found.task.built().surface)
-    session.emit(f"{matching:,} of {found.task.space.count:,} designs; {which}")
+    surface = found.task.built().surface
+    session.emit(f"{matching:,} of {found.task.space.count:,} designs; {orientation(surface)}")
     if matching:
         _list(select(found, question, top), found)
     if plot is not None:
@@ -159,7 +159,8 @@ def _answer(found: "Sweep", question: "Question", top: int, plot: Path | None) -
 
         unit = str(found.task.model.get("unit", ""))
         rows = select(found, question)
-        session.wrote(save(parallel_coordinates(rows, found.task.space.names, best=question.best, unit=unit), plot))
+        names = found.task.space.names
+        session.wrote(save(parallel_coordinates(rows, names, surface, best=question.best, unit=unit), plot))
 
 
 def _list(rows: "dict[str, FloatArray]", found: "Sweep") -> None:

@@ -11,7 +11,9 @@ from matplotlib.figure import Figure
 
 from quintrig.arrays import FloatArray
 from quintrig.figure.palette import INK
+from quintrig.figure.wording import normal_note, plain
 from quintrig.quantity import BY_KEY
+from quintrig.surface import Surface
 from quintrig.sweep.part import column_unit
 
 _MOST = 2000  # lines: more are one dark mass
@@ -37,12 +39,13 @@ _NAMES = {
 
 
 def parallel_coordinates(
-    rows: Mapping[str, FloatArray], parameters: Sequence[str], *, best: str = "", unit: str = ""
+    rows: Mapping[str, FloatArray], parameters: Sequence[str], surface: Surface, *, best: str = "", unit: str = ""
 ) -> Figure:
     """Return parallel coordinates of designs, coloured by the column ``best`` or else by the bending energy.
 
-    ``rows`` holds columns (n,) by name, the varied ``parameters`` among them. Of more than 2000 designs, evenly
-    spaced ones of the given order are drawn, and the title says so. Raises ValueError where there are no designs.
+    ``rows`` holds columns (n,) by name, the varied ``parameters`` among them; ``surface`` is any of the designs, for
+    the side of the normal, and ``unit`` that of length. Of more than 2000 designs, evenly spaced ones of the given
+    order are drawn, and the title says so. Raises ValueError where there are no designs.
     """
     total = len(next(iter(rows.values())))
     if total == 0:
@@ -80,6 +83,7 @@ def parallel_coordinates(
     axes.axis("off")
     _colour_key(page, colour, rows[colour][chosen])
     page.text(0.06, 0.955, _title(total, len(chosen), int((~whole).sum())), fontsize=11, color=INK, va="center")
+    page.text(0.06, 0.045, _note(surface, unit), fontsize=8, color=INK, va="center")
     return figure
 
 
@@ -99,7 +103,7 @@ def _label(name: str, unit: str) -> str:
         text = f"{ {'min': 'least', 'max': 'greatest', 'mean': 'mean'}[what] }\n${BY_KEY[key].latex}$"
     else:
         text = _NAMES.get(name, name.replace("_", " "))
-    measure = column_unit(name, unit)
+    measure = plain(column_unit(name, unit))
     return f"{text}\n({measure})" if measure else text
 
 
@@ -116,4 +120,10 @@ def _colour_key(page: Any, name: str, values: FloatArray) -> None:
 
 def _title(total: int, drawn: int, left_out: int) -> str:
     text = f"{total:,} designs" if drawn == total else f"{drawn:,} of {total:,} designs, evenly chosen"
-    return text + (f"; {left_out:,} with an undefined value left out" if left_out else "")
+    return text + (f"; {left_out:,} with an infinite or undefined value left out" if left_out else "")
+
+
+def _note(surface: Surface, unit: str) -> str:
+    normal = normal_note(surface)
+    lengths = f"lengths in {plain(unit)}" if unit else "no unit of length given"
+    return f"{normal[0].upper()}{normal[1:]}, which gives $H$ its sign; {lengths}"

@@ -116,12 +116,12 @@ def _methods(facts: Facts) -> Iterator[Markup]:
 
 
 def _effect(facts: Facts) -> Iterator[Markup]:
-    bounded = [one for one in standard(facts) if one.summary.integrals.bending.converged]
+    bounded = [one for one in standard(facts) if one.summary.integrals.bending_energy.converged]
     if len(bounded) < 2:
         return
 
     def bending(one: Variant) -> float:
-        return one.summary.integrals.bending.value
+        return one.summary.integrals.bending_energy.value
 
     least, most = min(bounded, key=bending), max(bounded, key=bending)
     if not bending(most) > 1.001 * bending(least):

@@ -44,9 +44,8 @@ def affine_parts(patch: Patch, u: FloatArray, v: FloatArray, block: int) -> Part
     )
 
 
-def single_part(patch: Patch, values: dict[str, float], u: FloatArray, v: FloatArray, block: int) -> Parts:
+def single_part(surface: Surface, u: FloatArray, v: FloatArray, block: int) -> Parts:
     """Return the only part of one design, for parameters that are not affine."""
-    surface = with_parameters(patch, values).surface
     rows, blend = _derivatives(surface, u, v, block)
     return Parts(rows[None], blend[None])
 

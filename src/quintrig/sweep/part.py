@@ -10,10 +10,11 @@ from quintrig.classify import Thresholds
 from quintrig.errors import ModelError
 from quintrig.model import Model, Patch
 from quintrig.quantity import BY_KEY
-from quintrig.sample import SINGULAR
-from quintrig.sweep.affine import affine_parts, is_affine, single_part, weights
+from quintrig.sweep.affine import is_affine, with_parameters
+from quintrig.sweep.measure import affine_measure, single_measure
 from quintrig.sweep.space import DesignSpace, check
-from quintrig.sweep.summarise import COLUMNS, clenshaw_curtis, summariser
+from quintrig.sweep.summarise import COLUMNS
+from quintrig.sweep.unbounded import true_summaries
 
 LARGEST_SIDE = 128
 
@@ -57,27 +58,23 @@ def summaries(task: Task, start: int, stop: int) -> FloatArray:
     """
     patch = task.built()
     designs = task.space.designs(start, stop)
-    result = np.empty((len(designs), len(COLUMNS)))
-    nodes, w = clenshaw_curtis(task.points)
-    block = -(-task.points // 8) * 8
-    wv = np.concatenate([w, np.zeros(block - len(w))])
-    surface = patch.surface
-    run = summariser(surface.rows.size, block)
-    settings = (surface.sign, SINGULAR, task.thresholds.relative, task.thresholds.flat)
     if is_affine(patch, task.space):
-        parts = affine_parts(patch, nodes, nodes, block)
-        run(parts.rows, parts.blend, weights(patch, task.space, designs), w, wv, *settings, result)
+        measure = affine_measure(patch, task.space, designs, task.thresholds)
+        result = true_summaries(measure, len(designs), task.points, patch.surface)
     else:
-        for i, design in enumerate(designs.tolist()):
-            values = dict(zip(task.space.names, design, strict=True))
-            try:
-                part = single_part(patch, values, nodes, nodes, block)
-            except ModelError:  # planes that envelop no strip, say: a design without a single regular point
-                result[i] = np.nan
-                result[i, COLUMNS.index("singular")] = task.points**2
-                continue
-            run(part.rows, part.blend, np.empty((1, 0)), w, wv, *settings, result[i : i + 1])
+        result = np.stack([_one(task, patch, design) for design in designs.tolist()])
     return np.concatenate([designs, result], axis=1)
+
+
+def _one(task: Task, patch: Patch, design: list[float]) -> FloatArray:
+    """Return the summary of one design, built anew."""
+    try:
+        surface = with_parameters(patch, dict(zip(task.space.names, design, strict=True))).surface
+    except ModelError:  # planes that envelop no strip, say: a design without a single regular point
+        result = np.full(len(COLUMNS), np.nan)
+        result[COLUMNS.index("singular")] = task.points**2
+        return result
+    return true_summaries(single_measure(surface, task.thresholds), 1, task.points, surface)[0]
 
 
 def columns(space: DesignSpace) -> tuple[str, ...]:

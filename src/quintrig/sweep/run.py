@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterator
 from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, ThreadPoolExecutor, wait
 from itertools import islice
 from os import cpu_count
+from time import monotonic, sleep
 from typing import Any, cast
 from uuid import uuid4
 
@@ -17,6 +18,9 @@ Progress = Callable[[int, int], None]
 """Called with the designs done and the designs in all."""
 
 _PATIENCE = 5.0  # seconds to wait for a scheduler
+_IDLE = 60.0  # seconds to wait for workers where a cluster has none
+_ASK = 1.0  # seconds between two questions whether it has
+_PAUSE = 0.02  # seconds between two looks at what has come
 _AHEAD = 256  # parts handed to a cluster at a time
 
 
@@ -27,7 +31,7 @@ def run(
 
     ``scheduler`` is the address of a ``dask.distributed`` scheduler, such as tcp://host:8786; without one, threads
     here. Stopped at any moment, it loses only the parts under way. Raises QuintrigError for a cluster that cannot be
-    reached or is lost, or a full disk.
+    reached, is lost or has had no workers for a minute, or a full disk.
     """
     missing = sweep.missing()
     total = sweep.task.space.count
@@ -94,7 +98,7 @@ def _on_cluster(sweep: Sweep, parts: list[int], scheduler: str) -> Iterator[tupl
     try:
         with client:
             running: Any = cast(Any, as_completed)(submit(_AHEAD), loop=client.loop, with_results=True)
-            for future, rows in running:
+            for future, rows in _arriving(running, client, scheduler):
                 if isinstance(rows, BaseException):  # how a lost scheduler shows itself
                     raise rows
                 yield numbers.pop(future.key), rows
@@ -107,3 +111,24 @@ def _on_cluster(sweep: Sweep, parts: list[int], scheduler: str) -> Iterator[tupl
             f"--scheduler {scheduler}: the cluster failed ({reason[:200]}); the parts written stay, and the same "
             "command goes on from them"
         ) from None
+
+
+def _arriving(running: Any, client: Any, scheduler: str) -> Iterator[tuple[Any, Any]]:
+    """Give results as they come; QuintrigError where no worker is left or comes, for which Dask would wait forever."""
+    asked = manned = monotonic()
+    while not running.is_empty():
+        batch = running.next_batch(block=False)
+        yield from batch
+        now = monotonic()
+        if batch:
+            asked = manned = now
+        elif now - asked < _ASK:
+            sleep(_PAUSE)
+        else:
+            asked = now
+            manned = now if client.scheduler_info()["workers"] else manned
+            if now - manned > _IDLE:
+                raise QuintrigError(
+                    f"--scheduler {scheduler}: has had no worker for {_IDLE:.0f} s; start some by 'dask worker "
+                    f"{scheduler}' and give the same command again: the parts written stay"
+                )
