@@ -16,8 +16,10 @@ import oracle
 import quintrig
 from quintrig import compiled
 from quintrig.basis import Bernstein, Trigonometric
-from quintrig.blocks import BLOCK, derivative_blocks, pad
-from quintrig.functions import Circular, Joined
+from quintrig.blocks import BLOCK, increment_blocks, pad
+from quintrig.bspline import normalised
+from quintrig.functions import Circular, Joined, Powers
+from quintrig.increments import increments, split, terms
 
 SOURCE = Path(quintrig.__file__).parent
 
@@ -205,7 +207,7 @@ def test_every_module_with_compiled_code_is_among_the_sources():
 
 def test_every_module_that_compiled_code_takes_values_from_is_among_the_sources():
     # Modules that only give types, NumPy-level functions or objects handed in at run time stay out.
-    harmless = {"arrays", "basis", "functions", "surface"}
+    harmless = {"arrays", "basis", "functions", "increments", "surface"}
     for name in set(compiled.SOURCES) - {"quantity"}:
         assert imports(SOURCE / f"{name}.py") <= set(compiled.SOURCES) | harmless, name
 
@@ -232,24 +234,24 @@ PLACES = np.concatenate([NEAR, [0.45, np.nextafter(0.5, 0), 0.5, np.nextafter(0.
 
 
 def unpacked(functions, t):
-    """Return the compiled values as (3, n, size)."""
-    blocks = derivative_blocks(functions, t)
-    return blocks.transpose(1, 0, 3, 2).reshape(3, -1, functions.size)[:, : len(t)]
+    """Return the compiled increments as (3, n, terms)."""
+    blocks = increment_blocks(functions, t)
+    return blocks.transpose(1, 0, 3, 2).reshape(3, -1, terms(functions))[:, : len(t)]
 
 
 def room(exact, t):
-    """Return what a derivative is measured against: itself and the lower ones by the distance to the nearer end."""
+    """Return what a derivative is measured against: itself, the second also the first by the distance to an end."""
     with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
         over = 1.0 / np.maximum(np.minimum(t, 1.0 - t), 1e-305)[:, None]
-        first = np.abs(exact[1]) + np.abs(exact[0]) * over
         second = np.abs(exact[2]) + np.abs(exact[1]) * over
-    return np.stack([np.abs(exact[0]), first, second])
+    return np.stack([np.abs(exact[0]), np.abs(exact[1]), second])
 
 
 @pytest.mark.parametrize("shape", SHAPES)
-def test_the_compiled_basis_is_that_of_40_digits(shape):
+def test_the_compiled_increments_are_those_of_40_digits(shape):
     functions = Trigonometric(*shape)
-    exact = np.array([oracle.trigonometric(t, *shape, order=2) for t in PLACES], dtype=float).transpose(1, 0, 2)
+    values = [[[sum(f[i:]) for i in range(1, 6)] for f in oracle.trigonometric(t, *shape, order=2)] for t in PLACES]
+    exact = np.array(values, dtype=float).transpose(1, 0, 2)
     found = unpacked(functions, PLACES)
     inside = (PLACES > 0.0) & (PLACES < 1.0)
     error, allowed = np.abs(found - exact), 1e-14 * room(exact, PLACES)
@@ -259,13 +261,40 @@ def test_the_compiled_basis_is_that_of_40_digits(shape):
 
 
 @pytest.mark.parametrize("shape", SHAPES)
-def test_the_compiled_basis_is_the_definition(shape):
+def test_the_compiled_increments_are_the_definition(shape):
     t = np.sort(np.concatenate([PLACES, np.random.default_rng(7).random(1000) ** 3]))
     functions = Trigonometric(*shape)
-    wanted = functions.derivatives(t, 2)
+    wanted = increments(functions, t, 2)
     inside = (t > 0.0) & (t < 1.0)
     error, allowed = np.abs(unpacked(functions, t) - wanted), 2e-14 * room(wanted, t)
     assert (error[:, inside] <= allowed[:, inside] + 1e-290).all()
+
+
+FAMILIES = (
+    Trigonometric(0.5, -3.0),
+    Bernstein(4),
+    normalised([0, 0, 0, 1, 3, 3, 4, 4, 4], 2),
+    Powers(-1.0, 2.0, 3),
+    Joined((Circular(0.0, 4.0), Trigonometric(1.0, -4.0), Bernstein(2))),
+)
+
+
+@pytest.mark.parametrize("functions", FAMILIES, ids=lambda functions: type(functions).__name__)
+def test_origin_and_increments_are_the_sum_over_the_points(functions):
+    rng = np.random.default_rng(3)
+    points, t = rng.normal(size=(functions.size, 2, 3)), rng.random(50)
+    origin, *rest = split(points, functions)
+    assert len(rest) == terms(functions)
+    found = np.tensordot(increments(functions, t, 2), rest, axes=1)
+    found[0] += origin
+    np.testing.assert_allclose(found, np.tensordot(functions.derivatives(t, 2), points, axes=1), rtol=0, atol=1e-11)
+
+
+@pytest.mark.parametrize("functions", [f for f in FAMILIES if f.partition], ids=lambda f: type(f).__name__)
+def test_increments_do_not_see_where_the_origin_is(functions):
+    points = np.random.default_rng(3).integers(-9, 9, (functions.size, 3)).astype(float)
+    away = split(points + 2.0**50, functions)
+    assert np.array_equal(away[1:], split(points, functions)[1:])
 
 
 @pytest.mark.parametrize("count", [1, BLOCK - 1, BLOCK, BLOCK + 1, 3 * BLOCK])
@@ -275,5 +304,5 @@ def test_blocks_hold_all_points_and_repeat_the_last(count):
     assert blocks.shape == (-(-count // BLOCK), BLOCK)
     assert np.array_equal(blocks.ravel()[:count], t)
     assert (blocks.ravel()[count:] == t[-1]).all()
-    for functions in (Trigonometric(0.5, -3.0), Bernstein(4), Joined((Circular(0.0, 4.0), Trigonometric(1.0, -4.0)))):
-        np.testing.assert_allclose(unpacked(functions, t), functions.derivatives(t, 2), rtol=0, atol=1e-12)
+    for functions in FAMILIES:
+        np.testing.assert_allclose(unpacked(functions, t), increments(functions, t, 2), rtol=0, atol=1e-12)

@@ -11,7 +11,7 @@ import pytest
 ROOT = Path(__file__).parent.parent / "src" / "quintrig"
 
 GROUPS = (
-    "errors files arrays compiled taylor functions bspline basis blocks curve rational surface",
+    "errors files arrays compiled taylor functions bspline basis increments blocks curve rational surface",
     "construct reference nurbs envelope exact",
     "curvature classify invariants contraction quantity planes kernel evaluate sample",
     "quadrature integrate extremes correspondence agreement signs hull cautions summary",

@@ -240,8 +240,42 @@ UNFIT = {
 @pytest.mark.parametrize("what", UNFIT)
 def test_unfit_outputs_are_refused(surface, what):
     key, array = UNFIT[what]
-    with pytest.raises(ValueError, match=rf"out\['{key}'\]: expected a writable C-contiguous"):
+    with pytest.raises(ValueError, match=rf"out\['{key}'\]: expected a writable (float64|int8) array of shape"):
         quintrig.analyse(surface, *quintrig.grid(3, 4), [key], out={key: array})
+
+
+def test_the_arrays_of_a_sample_can_be_used_again(surface):
+    other = SURFACES["torus"].surface()
+    u, v = quintrig.grid(5, 7)
+    first = quintrig.analyse(surface, u, v)
+    kept = {key: array.copy() for key, array in first.values.items()}
+    again = quintrig.analyse(other, u, v, out=first.values)
+    assert_equal(again, quintrig.analyse(other, u, v))
+    assert any(not np.array_equal(kept[key], again[key], equal_nan=True) for key in kept)
+    assert all(np.shares_memory(again[key], first[key]) for key in BY_KEY)
+
+
+@pytest.mark.parametrize("columns", [512, 509])
+def test_large_results_are_those_of_small_ones(surface, columns):
+    """They are written past the caches where they start on cache lines, which must change nothing."""
+    u, v = quintrig.grid(300, columns)
+    large = quintrig.analyse(surface, u, v)
+    beside = {key: shifted(array) for key, array in large.values.items()}
+    assert_equal(quintrig.analyse(surface, u, v, out=beside), large)
+    for rows in (slice(0, 3), slice(297, 300)):
+        part = quintrig.analyse(surface, u[rows], v)
+        for key in BY_KEY:
+            np.testing.assert_array_equal(part[key], large[key][rows])
+    points = quintrig.analyse(surface, *(array.copy() for array in np.broadcast_arrays(u, v)))
+    np.testing.assert_allclose(points["curvedness"], large["curvedness"], rtol=1e-9)
+    np.testing.assert_array_equal(points["hk_type"], large["hk_type"])
+
+
+def shifted(array):
+    """Return an empty array of the same layout that starts beside a cache line."""
+    outermost = np.moveaxis(array, -1, 0) if array.ndim == 3 else array
+    memory = np.empty(outermost.size + 1, array.dtype)[1:].reshape(outermost.shape)
+    return np.moveaxis(memory, 0, -1) if array.ndim == 3 else memory
 
 
 def test_outputs_that_nobody_asked_for_are_refused(surface):

@@ -9,6 +9,7 @@ import pytest
 import oracle
 import quintrig
 from quintrig.classify import HK_TYPES
+from quintrig.increments import terms
 from quintrig.integrate import integrals
 from quintrig.sample import SINGULAR
 from quintrig.sweep.affine import is_affine, single_part, with_parameters
@@ -115,7 +116,7 @@ def test_affine_path_is_the_plain_path(name):
     patch = task.built()
     assert is_affine(patch, task.space)
     nodes, w = clenshaw_curtis(16)
-    run = summariser(patch.surface.rows.size, 16)
+    run = summariser(terms(patch.surface.blend), 16)
     for values, found in rows(task):
         part = single_part(with_parameters(patch, values).surface, nodes, nodes, 16)
         plain = np.empty((1, len(COLUMNS)))

@@ -1,10 +1,11 @@
 """Array types, and the checks that turn what a caller hands in into frozen arrays."""
 
+import math
 from operator import index
 from typing import Any, SupportsIndex
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int8]
@@ -13,6 +14,9 @@ BoolArray = NDArray[np.bool_]
 LARGEST = 1e50
 """Largest coordinate: the curvature formula multiplies up to five of them, and must not overflow."""
 
+
+CACHE_LINE, HUGE_PAGE = 64, 2**21
+"""Bytes of the usual sizes."""
 
 _NUMBERS = (int, float, np.integer, np.floating)
 
@@ -42,6 +46,18 @@ def locked(array: FloatArray) -> FloatArray:
         array = array.copy()
         array.setflags(write=False)
     return array
+
+
+def aligned(shape: tuple[int, ...], dtype: DTypeLike = np.float64) -> NDArray[Any]:
+    """Return an empty array that starts on a cache line, and one that fills a huge page on such a page.
+
+    So no full-width access crosses two lines, and the first touch of a large result costs half.
+    """
+    size = math.prod(shape) * np.dtype(dtype).itemsize
+    step = HUGE_PAGE if size >= HUGE_PAGE else CACHE_LINE
+    memory = np.empty(size + step, np.uint8)
+    start = -memory.__array_interface__["data"][0] % step
+    return memory[start : start + size].view(dtype).reshape(shape)
 
 
 def number(value: float, name: str) -> float:

@@ -39,6 +39,11 @@ class Trigonometric:
         """Number of functions: six."""
         return 6
 
+    @property
+    def partition(self) -> bool:
+        """Whether the functions sum to 1: they do."""
+        return True
+
     def derivatives(self, t: ArrayLike, order: int) -> FloatArray:
         """Return derivatives 0 to ``order``, shape (order + 1, *t.shape, 6); ValueError for t outside [0, 1].
 
@@ -111,6 +116,11 @@ class Bernstein:
         """Number of functions: degree + 1."""
         return self.degree + 1
 
+    @property
+    def partition(self) -> bool:
+        """Whether the functions sum to 1: they do."""
+        return True
+
     def derivatives(self, t: ArrayLike, order: int) -> FloatArray:
         """Return derivatives 0 to ``order``, shape (order + 1, *t.shape, size); ValueError for t outside [0, 1]."""
         t = parameter(t, "t")
@@ -132,6 +142,11 @@ class TangentBernstein:
     def size(self) -> int:
         """Number of functions: degree + 1."""
         return self.degree + 1
+
+    @property
+    def partition(self) -> bool:
+        """Whether the functions sum to 1: they do."""
+        return True
 
     def derivatives(self, t: ArrayLike, order: int) -> FloatArray:
         """Return derivatives 0 to ``order`` by t, shape (order + 1, *t.shape, size); ValueError for t not in [0, 1]."""

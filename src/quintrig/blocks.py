@@ -1,35 +1,36 @@
-"""Functions evaluated in the layout that the compiled driver reads: blocks of points, one row of a block a function.
+"""Increments in the layout that the compiled driver reads: blocks of points, one row of a block an increment.
 
-``functions`` and ``basis`` hold the definitions, for any order and by plain NumPy. The trigonometric basis, which
-nearly all work goes through, has a compiled twin here for derivatives 0 to 2; the tests hold the two together.
+``increments`` holds the definition, for any order and by plain NumPy. The trigonometric basis, which nearly all work
+goes through, has a compiled twin here for derivatives 0 to 2; the tests hold the two together.
 """
 
 import numpy as np
 
-from quintrig.arrays import FloatArray
+from quintrig.arrays import FloatArray, aligned
 from quintrig.basis import Trigonometric
 from quintrig.compiled import loop, scalar
 from quintrig.functions import Functions, Joined
+from quintrig.increments import increments, terms
 
-BLOCK = 128
-"""Points in a block: 31 scratch rows of 1 KiB each stay in a 32 KiB cache. Measured best of 64, 128, 256."""
+BLOCK = 64
+"""Points in a block: 32 scratch rows of half a KiB stay in a level-1 cache beside the increments. Measured best of 32,
+48, 64, 72, 96 and 128."""
 
-Three = tuple[float, float, float]
 
-
-def derivative_blocks(functions: Functions, t: FloatArray) -> FloatArray:
-    """Return derivatives 0 to 2 of all functions at ``t`` (n,), shape (blocks, 3, size, BLOCK).
+def increment_blocks(functions: Functions, t: FloatArray) -> FloatArray:
+    """Return derivatives 0 to 2 of all increments at ``t`` (n,), shape (blocks, 3, terms, BLOCK).
 
     The last block is filled up with the last point.
     """
     padded = pad(t)
-    if isinstance(functions, Joined):
-        return np.concatenate([derivative_blocks(part, t) for part in functions.parts], axis=2)
+    result: FloatArray = aligned((len(padded), 3, terms(functions), BLOCK))
     if isinstance(functions, Trigonometric):
-        result: FloatArray = np.empty((len(padded), 3, 6, BLOCK))
         _trigonometric(padded, functions.alpha, functions.zeta, result.reshape(len(padded), -1))
-        return result
-    return np.ascontiguousarray(functions.derivatives(padded, 2).transpose(1, 0, 3, 2))
+    elif isinstance(functions, Joined):
+        np.concatenate([increment_blocks(part, t) for part in functions.parts], axis=2, out=result)
+    else:
+        result[...] = increments(functions, padded, 2).transpose(1, 0, 3, 2)
+    return result
 
 
 def pad(t: FloatArray) -> FloatArray:
@@ -71,16 +72,11 @@ def _half_angle(x: float) -> tuple[float, float]:
 
 
 @scalar
-def _product(x: float, x1: float, x2: float, y: float, y1: float, y2: float) -> Three:
-    """Return the product of two functions with its first and second derivative."""
-    return x * y, x1 * y + x * y1, x2 * y + 2.0 * x1 * y1 + x * y2
+def _end_pair(s: float, c: float, a: float, shape: float, near: bool) -> tuple[float, float, float, float]:
+    """Return f1 = s a³ (4 + α - α s), f0 = a⁴ (1 - α s), c a³ (4 + α - 5 α s) and the derivative of the third.
 
-
-@scalar
-def _end_pair(s: float, s1: float, s2: float, a: float, shape: float, near: bool) -> tuple[Three, Three]:
-    """Return f0 = a⁴ (1 - α s) and f1 = s a³ (4 + α - α s), a = 1 - s, with derivatives; f5 and f4 with cos for s.
-
-    Each linear factor is taken from the end that is near, so that no term cancels there, whatever α.
+    a = 1 - s, derivatives by the angle; f4, f5 and, with the opposite sign, the last from cos for sin. Each linear
+    factor is taken from the end that is near, so that no term cancels there, whatever α.
     """
     bend = 5.0 * shape
     outer = (4.0 + shape) - bend * s if near else (4.0 - 4.0 * shape) + bend * a
@@ -88,46 +84,49 @@ def _end_pair(s: float, s1: float, s2: float, a: float, shape: float, near: bool
     share = 1.0 - shape * s if near else (1.0 - shape) + shape * a
     square = a * a
     cube = square * a
-    slope = -cube * outer
-    curve = 3.0 * square * outer + bend * cube
-    first = square * square * share, slope * s1, curve * s1 * s1 + slope * s2
-    slope = square * ((a - 3.0 * s) * inner - shape * s * a)
-    curve = 2.0 * a * (3.0 * (s - a) * inner + shape * a * (3.0 * s - a))
-    return first, (s * cube * inner, slope * s1, curve * s1 * s1 + slope * s2)
-
-
-@scalar
-def _middle(a: float, a1: float, a2: float, b: float, b1: float, b2: float, q: float, q1: float, q2: float) -> Three:
-    """Return a² b q and its derivatives: f2, and f3 with a and b exchanged."""
-    x, x1, x2 = _product(a * a, 2.0 * a * a1, 2.0 * (a1 * a1 + a * a2), b, b1, b2)
-    return _product(x, x1, x2, q, q1, q2)
+    turn = -square * (s * a * outer + c * c * (3.0 * outer + bend * a))
+    return s * cube * inner, square * square * share, c * cube * outer, turn
 
 
 @loop
 def _trigonometric(t: FloatArray, alpha: float, zeta: float, out: FloatArray) -> None:
-    """Fill ``out`` (blocks, 18 BLOCK) with the trigonometric basis, ordered (derivative, function, point)."""
+    """Fill ``out`` (blocks, 15 BLOCK) with the increments of the trigonometric basis, ordered (derivative, i, point).
+
+    Their derivatives are the hodograph functions of ``basis.Trigonometric.slopes``, where s c / (1 + s + c) is
+    (s + c - 1)/2.
+    """
     rate = 0.5 * np.pi
+    square = rate * rate
     for block in range(t.shape[0]):
         x = t[block]
         d = out[block]
         for k in range(BLOCK):
             p, q = _half_angle(x[k])
             r, w = _half_angle(1.0 - x[k])
-            # sin and cos of πt/2, and one minus each without cancellation, as in basis.Trigonometric.
+            near = x[k] < 0.5
+            # sin and cos of πt/2, and one minus each without cancellation.
             s, c = 2.0 * p * q, 2.0 * r * w
-            a = 1.0 - s if x[k] < 0.5 else 2.0 * r * r
-            b = 1.0 - c if x[k] > 0.5 else 2.0 * p * p
-            s1, c1, s2, c2 = rate * c, -rate * s, -rate * rate * s, -rate * rate * c
-            # _middle's third factors
-            g, g1, g2 = 8.0 * s + 3.0 * c + 9.0, 8.0 * s1 + 3.0 * c1, 8.0 * s2 + 3.0 * c2
-            h, h1, h2 = 8.0 * c + 3.0 * s + 9.0, 8.0 * c1 + 3.0 * s1, 8.0 * c2 + 3.0 * s2
-            f0, f1 = _end_pair(s, s1, s2, a, alpha, x[k] < 0.5)
-            f5, f4 = _end_pair(c, c1, c2, b, zeta, x[k] >= 0.5)
-            f2 = _middle(a, -s1, -s2, b, -c1, -c2, g, g1, g2)
-            f3 = _middle(b, -c1, -c2, a, -s1, -s2, h, h1, h2)
-            d[k], d[6 * BLOCK + k], d[12 * BLOCK + k] = f0
-            d[BLOCK + k], d[7 * BLOCK + k], d[13 * BLOCK + k] = f1
-            d[2 * BLOCK + k], d[8 * BLOCK + k], d[14 * BLOCK + k] = f2
-            d[3 * BLOCK + k], d[9 * BLOCK + k], d[15 * BLOCK + k] = f3
-            d[4 * BLOCK + k], d[10 * BLOCK + k], d[16 * BLOCK + k] = f4
-            d[5 * BLOCK + k], d[11 * BLOCK + k], d[17 * BLOCK + k] = f5
+            a = 1.0 - s if near else 2.0 * r * r
+            b = 2.0 * p * p if near else 1.0 - c
+            ab, both, twist = a * b, s * c, c * c - s * s
+            f1, _, g0, h0 = _end_pair(s, c, a, alpha, near)
+            f4, f5, g4, h4 = _end_pair(c, s, b, zeta, not near)
+            last = f4 + f5
+            three = last + ab * b * (8.0 * c + 3.0 * s + 9.0)
+            two = three + ab * a * (8.0 * s + 3.0 * c + 9.0)
+            middle = 32.0 * both + 2.0 * (s - b if near else c - a)
+            d[k] = f1 + two
+            d[BLOCK + k] = two
+            d[2 * BLOCK + k] = three
+            d[3 * BLOCK + k] = last
+            d[4 * BLOCK + k] = f5
+            d[5 * BLOCK + k] = rate * g0
+            d[6 * BLOCK + k] = 12.0 * rate * a * a * both
+            d[7 * BLOCK + k] = rate * ab * middle
+            d[8 * BLOCK + k] = 12.0 * rate * b * b * both
+            d[9 * BLOCK + k] = rate * g4
+            d[10 * BLOCK + k] = square * h0
+            d[11 * BLOCK + k] = 12.0 * square * a * (a * twist - 2.0 * both * c)
+            d[12 * BLOCK + k] = square * ((a * s - b * c) * middle + ab * (32.0 * twist + 2.0 * (c - s)))
+            d[13 * BLOCK + k] = 12.0 * square * b * (b * twist + 2.0 * both * s)
+            d[14 * BLOCK + k] = -square * h4

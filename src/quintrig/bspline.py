@@ -53,6 +53,11 @@ class BSpline:
         """The distinct knots of the domain, from 0 to 1: between two of them every function is one polynomial."""
         return np.unique(np.asarray(self.knots[self.degree : len(self.knots) - self.degree]))
 
+    @property
+    def partition(self) -> bool:
+        """Whether the functions sum to 1: they do."""
+        return True
+
     def derivatives(self, t: ArrayLike, order: int) -> FloatArray:
         """Return derivatives 0 to ``order``, shape (order + 1, *t.shape, size); ValueError for t outside [0, 1].
 

@@ -104,11 +104,11 @@ def besl(gaussian: float, mean: float, curvedness: float, relative: float, flat:
 
 
 @scalar
-def point_type(code: int, radius: float, curvedness: float, relative: float) -> int:
-    """Return the point type from Besl's number; umbilic where R <= relative C."""
-    column = (code - 1) % 3  # 0: K > 0, 1: K = 0, 2: K < 0
-    result = 3 if column == 1 else 2
-    result = (5 if radius <= relative * curvedness else 1) if column == 0 else result
+def point_type(code: int, gaussian: float, radius: float, curvedness: float, relative: float) -> int:
+    """Return the point type from Besl's number and K; umbilic where R <= relative C."""
+    bent = 5 if radius <= relative * curvedness else 1
+    result = bent if gaussian > 0.0 else 2
+    result = 3 if abs(gaussian) <= relative * curvedness * curvedness else result
     result = 4 if code == 5 else result
     return 0 if code == 0 else result
 

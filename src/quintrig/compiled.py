@@ -14,6 +14,8 @@ from typing import Any, TypeVar, cast
 from uuid import uuid4
 
 import numba
+import numba.extending
+from llvmlite import ir as _ir
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -34,6 +36,9 @@ SOURCES = (
 _PROCESS = uuid4().hex[:8]
 
 _config = cast(Any, numba).config
+_types = cast(Any, numba).types
+ir = cast(Any, _ir)
+_intrinsic = cast(Callable[[Any], Any], numba.extending.intrinsic)
 _njit = cast(Callable[..., Callable[[Any], Any]], numba.njit)
 
 # NaN and infinity must survive, since they mark singular points, and sums keep their order, since differences such as
@@ -60,6 +65,48 @@ def loop(function: Function) -> Function:
     if folder is not None:
         _share_cache(compiled)
     return cast(Function, compiled)
+
+
+def _pointer(item: Any) -> Callable[[int], Any]:
+    """Return a compiled function from an address to a pointer that is indexed like an array."""
+
+    def typed(_context: Any, _address: Any) -> Any:
+        def generated(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+            return builder.inttoptr(arguments[0], context.get_value_type(signature.return_type))
+
+        return _types.CPointer(item)(_types.intp), generated
+
+    return cast(Callable[[int], Any], _intrinsic(typed))
+
+
+def _stream(_context: Any, _target: Any, _source: Any) -> Any:
+    def generated(context: Any, builder: Any, _signature: Any, arguments: Any) -> Any:
+        line = ir.VectorType(ir.DoubleType(), 8).as_pointer()
+        value = builder.load(builder.inttoptr(arguments[1], line), align=8)
+        store = builder.store(value, builder.inttoptr(arguments[0], line), align=64)
+        store.set_metadata("nontemporal", builder.module.add_metadata([ir.Constant(ir.IntType(32), 1)]))
+        return context.get_dummy_value()
+
+    return _types.void(_types.intp, _types.intp), generated
+
+
+def _fence(_context: Any) -> Any:
+    def generated(context: Any, builder: Any, _signature: Any, _arguments: Any) -> Any:
+        builder.fence("seq_cst")
+        return context.get_dummy_value()
+
+    return _types.void(), generated
+
+
+floats_at = _pointer(_types.float64)
+codes_at = _pointer(_types.int8)
+"""Memory at an address, as numbers; whoever gives the address keeps the array alive."""
+
+stream_line = cast(Callable[[int, int], None], _intrinsic(_stream))
+"""Copy eight numbers to an address at the start of a cache line, past the cache: the line is not read first."""
+
+fence = cast(Callable[[], None], _intrinsic(_fence))
+"""Make all streamed lines visible to other threads."""
 
 
 def _share_cache(compiled: Any) -> None:

@@ -1,67 +1,74 @@
-"""The sum at the heart of every surface: row derivatives times blend derivatives give the partial derivatives.
+"""The sum at the heart of every surface: row derivatives times increments of the blend give the partial derivatives.
 
-The sizes are arguments that every driver gives as constants: inlined, they unroll the sums. (They cannot be constants
-of a function made for them: a compiled function that holds another in its closure is never found in the disk cache.)
+A row of partial derivatives is one coordinate of one of them at the points of a block, in scratch that stays in the
+level-1 cache: S in rows 0 to 2, then S_u, S_v, S_uu, S_uv, S_vv. Sizes are arguments that every driver gives as
+constants: inlined, they unroll the sums. (They cannot be constants of a function made for them: a compiled function
+that holds another in its closure is never found in the disk cache.)
 """
 
 from quintrig.arrays import FloatArray
 from quintrig.compiled import scalar
-from quintrig.curvature import Three
 
-Partials = tuple[Three, Three, Three, Three, Three, Three]
+PARTIALS = 18
+"""Rows of partial derivatives."""
+
+DU, DV, DUU, DUV, DVV = 3, 6, 9, 12, 15
 
 
 @scalar
-def partials(r: FloatArray, d: FloatArray, k: int, size: int, block: int, stride: int, step: int) -> Partials:
-    """Return S, S_u, S_v, S_uu, S_uv, S_vv of point k of a block, for a surface of ``size`` rows.
+def partials(
+    r: FloatArray, d: FloatArray, s: FloatArray, point: bool, terms: int, block: int, stride: int, step: int
+) -> None:
+    """Fill the rows of partial derivatives; those of S only with ``point``.
 
-    ``r`` holds the row derivatives, ordered (derivative, row, coordinate): with ``stride`` 1 and ``step`` 0 one number
-    each for the whole block, as along a row of a grid, where u is fixed; with ``stride`` ``block`` and ``step`` 1 one
-    for each point. ``d`` holds the blend derivatives, ordered (derivative, row, point).
+    ``r`` holds the derivatives of origin and ``terms`` row increments, ordered (derivative, term, coordinate): with
+    ``stride`` 1 and ``step`` 0 one number each for the whole block, as along a row of a grid, where u is fixed; with
+    ``stride`` ``block`` and ``step`` 1 one for each point. ``d`` holds the increments of the blend, ordered
+    (derivative, term, point).
     """
-    px = py = pz = ux = uy = uz = vx = vy = vz = 0.0
-    uux = uuy = uuz = uvx = uvy = uvz = vvx = vvy = vvz = 0.0
-    t = step * k
-    for m in range(size):
-        d0, d1, d2 = d[m * block + k], d[(size + m) * block + k], d[(2 * size + m) * block + k]
-        q = 3 * m * stride + t
-        x, y, z = r[q], r[q + stride], r[q + 2 * stride]
-        q += 3 * size * stride
-        xu, yu, zu = r[q], r[q + stride], r[q + 2 * stride]
-        q += 3 * size * stride
-        xuu, yuu, zuu = r[q], r[q + stride], r[q + 2 * stride]
-        px += x * d0
-        py += y * d0
-        pz += z * d0
-        ux += xu * d0
-        uy += yu * d0
-        uz += zu * d0
-        vx += x * d1
-        vy += y * d1
-        vz += z * d1
-        uux += xuu * d0
-        uuy += yuu * d0
-        uuz += zuu * d0
-        uvx += xu * d1
-        uvy += yu * d1
-        uvz += zu * d1
-        vvx += x * d2
-        vvy += y * d2
-        vvz += z * d2
-    return (px, py, pz), (ux, uy, uz), (vx, vy, vz), (uux, uuy, uuz), (uvx, uvy, uvz), (vvx, vvy, vvz)
+    order = 3 * (1 + terms) * stride
+    # One coordinate a loop: its 3 (1 + terms) numbers then stay in registers for a whole block.
+    for x in range(3):
+        at = x * stride
+        for k in range(block):
+            q = at + step * k
+            u, uu = r[q + order], r[q + 2 * order]
+            v = uv = vv = 0.0
+            for m in range(terms):
+                d0, d1, d2 = d[m * block + k], d[(terms + m) * block + k], d[(2 * terms + m) * block + k]
+                q += 3 * stride
+                u += r[q + order] * d0
+                v += r[q] * d1
+                uu += r[q + 2 * order] * d0
+                uv += r[q + order] * d1
+                vv += r[q] * d2
+            s[(DU + x) * block + k] = u
+            s[(DV + x) * block + k] = v
+            s[(DUU + x) * block + k] = uu
+            s[(DUV + x) * block + k] = uv
+            s[(DVV + x) * block + k] = vv
+        if point:
+            for k in range(block):
+                q = at + step * k
+                value = r[q]
+                for m in range(terms):
+                    q += 3 * stride
+                    value += r[q] * d[m * block + k]
+                s[x * block + k] = value
 
 
 @scalar
 def rows_of_net(f: FloatArray, net: FloatArray, r: FloatArray, functions: int, terms: int, block: int) -> None:
-    """Fill ``r`` with the row derivatives of a block from shared functions and control points.
+    """Fill ``r`` with the row derivatives of a block from the increments of shared functions and of control points.
 
-    ``f`` is ordered (derivative, function, point), ``net`` (function, row and coordinate), ``terms`` 3 times the rows.
+    ``f`` is ordered (derivative, increment, point), ``net`` (origin and increments, row and coordinate), ``terms``
+    3 times origin and row increments.
     """
     for x in range(terms):
         for k in range(block):
-            value = first = second = 0.0
+            value, first, second = net[x], 0.0, 0.0
             for i in range(functions):
-                p = net[i * terms + x]
+                p = net[(i + 1) * terms + x]
                 value += f[i * block + k] * p
                 first += f[(functions + i) * block + k] * p
                 second += f[(2 * functions + i) * block + k] * p

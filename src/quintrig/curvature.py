@@ -14,8 +14,6 @@ import numpy as np
 from quintrig.compiled import scalar
 
 Three = tuple[float, float, float]
-Frame = tuple[Three, float, Three, Three]
-"""n, 1/W, (E, F, G), (L, M, N) of a point."""
 
 
 @scalar
@@ -25,36 +23,50 @@ def dot(a: Three, b: Three) -> float:
 
 
 @scalar
-def frame(du: Three, dv: Three, duu: Three, duv: Three, dvv: Three, sign: float, tiny: float) -> Frame:
-    """Return the normal, 1/W and both fundamental forms; all NaN where W = |S_u x S_v| <= ``tiny`` (length²)."""
-    x = du[1] * dv[2] - du[2] * dv[1]
-    y = du[2] * dv[0] - du[0] * dv[2]
-    z = du[0] * dv[1] - du[1] * dv[0]
-    area = np.sqrt(x * x + y * y + z * z)
-    inverse = 1.0 / area if area > tiny else np.nan
-    scale = sign * inverse
-    n = (x * scale, y * scale, z * scale)
-    first = (dot(du, du), dot(du, dv), dot(dv, dv))
-    return n, inverse, first, (dot(duu, n), dot(duv, n), dot(dvv, n))
+def cross(a: Three, b: Three) -> Three:
+    """Return a x b."""
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
 
 
 @scalar
-def form_in_frame(at: Frame) -> Three:
-    """Return a, b, c, length⁻¹."""
-    _, inverse, (e, f, _), (el, em, en) = at
-    over = 1.0 / e
-    ratio = f * over
-    a = el * over
-    b = (em - ratio * el) * inverse
-    c = (en - 2.0 * ratio * em + ratio * ratio * el) * (e * inverse) * inverse
-    return a, b, c
+def inverse_area(normal: Three, tiny: float) -> float:
+    """Return 1/W, W = |S_u x S_v|, length⁻²; NaN where W <= ``tiny`` (length²)."""
+    area = np.sqrt(dot(normal, normal))
+    return 1.0 / area if area > tiny else np.nan
 
 
 @scalar
-def mean_and_radius(a: float, b: float, c: float) -> tuple[float, float]:
-    """Return H and R = (κ1 - κ2)/2, length⁻¹."""
+def form_in_frame(
+    du: Three, dv: Three, duu: Three, duv: Three, dvv: Three, normal: Three, inverse: float, sign: float
+) -> Three:
+    """Return a, b, c, length⁻¹, from ``normal`` = S_u x S_v, not yet of length 1, and ``inverse`` = 1/W."""
+    first = dot(du, du)
+    over = 1.0 / first
+    ratio = dot(du, dv) * over
+    el, em, en = dot(duu, normal), dot(duv, normal), dot(dvv, normal)
+    side = sign * inverse
+    scale = side * inverse
+    mixed = em - ratio * el
+    return el * (side * over), mixed * scale, (en - ratio * (em + mixed)) * ((first * inverse) * scale)
+
+
+@scalar
+def gaussian(a: float, b: float, c: float) -> float:
+    """Return K, length⁻²."""
+    return a * c - b * b
+
+
+@scalar
+def mean(a: float, c: float) -> float:
+    """Return H, length⁻¹."""
+    return 0.5 * (a + c)
+
+
+@scalar
+def radius(a: float, b: float, c: float) -> float:
+    """Return R = (κ1 - κ2)/2, length⁻¹."""
     d = 0.5 * (a - c)
-    return 0.5 * (a + c), np.sqrt(d * d + b * b)
+    return np.sqrt(d * d + b * b)
 
 
 @scalar
@@ -63,7 +75,37 @@ def shape_index(mean: float, radius: float, curvedness: float, flat: float) -> f
 
     NaN where the curvedness is not above ``flat`` (length⁻¹), rounding of a plane.
     """
-    return -2.0 / np.pi * np.arctan2(mean, radius) if curvedness > flat else np.nan
+    return -2.0 / np.pi * _angle(mean, radius) if curvedness > flat else np.nan
+
+
+@scalar
+def _angle(y: float, x: float) -> float:
+    """Return atan2(y, x) for x >= 0, within 2 units in the last place.
+
+    A library call would keep the loop from vectorising. The angle to the nearest of 0, ±π/4 and ±π/2 has a tangent t
+    with |t| <= tan(π/8); the polynomial is the Chebyshev fit of (atan(t)/t - 1)/t² there, to 6e-18.
+    """
+    size = abs(y)
+    low = size <= 0.41421356237309503 * x
+    high = x <= 0.41421356237309503 * size
+    over = size if low else (-x if high else size - x)
+    under = x if low else (size if high else size + x)
+    base = 0.0 if low else (0.5 * np.pi if high else 0.25 * np.pi)
+    t = over / under
+    z = t * t
+    p = -0.019176872294336067
+    p = 0.039231646190551486 + z * p
+    p = -0.05085449318930035 + z * p
+    p = 0.05858148832731273 + z * p
+    p = -0.06664511438164644 + z * p
+    p = 0.07692183190171728 + z * p
+    p = -0.09090904578095735 + z * p
+    p = 0.11111111015255669 + z * p
+    p = -0.14285714284666534 + z * p
+    p = 0.1999999999999552 + z * p
+    p = -0.3333333333333333 + z * p
+    angle = base + (t + t * (z * p))
+    return angle if y >= 0.0 else -angle
 
 
 @scalar
@@ -73,5 +115,5 @@ def principal_direction(a: float, b: float, c: float, radius: float) -> tuple[fl
     # Of the two equal forms of the eigenvector, take the one without cancellation.
     x = radius + d if d >= 0.0 else b
     y = b if d >= 0.0 else radius - d
-    length = np.sqrt(x * x + y * y)
-    return x / length, y / length
+    inverse = 1.0 / np.sqrt(x * x + y * y)
+    return x * inverse, y * inverse

@@ -22,6 +22,11 @@ class Functions(Protocol):
         """Number of functions."""
         ...
 
+    @property
+    def partition(self) -> bool:
+        """Whether the functions sum to 1."""
+        ...
+
     def derivatives(self, t: ArrayLike, order: int) -> FloatArray:
         """Return derivatives 0 to ``order``, shape (order + 1, *t.shape, size).
 
@@ -44,6 +49,11 @@ class Circular:
     def size(self) -> int:
         """Number of functions."""
         return 2
+
+    @property
+    def partition(self) -> bool:
+        """Whether the functions sum to 1: they do not."""
+        return False
 
     def derivatives(self, t: ArrayLike, order: int) -> FloatArray:
         """Return derivatives 0 to ``order``, shape (order + 1, *t.shape, 2); ValueError for t outside [0, 1]."""
@@ -69,6 +79,11 @@ class Hyperbolic:
         """Number of functions."""
         return 2
 
+    @property
+    def partition(self) -> bool:
+        """Whether the functions sum to 1: they do not."""
+        return False
+
     def derivatives(self, t: ArrayLike, order: int) -> FloatArray:
         """Return derivatives 0 to ``order``, shape (order + 1, *t.shape, 2); ValueError for t outside [0, 1]."""
         t = parameter(t, "t")
@@ -93,6 +108,11 @@ class Powers:
         """Number of functions."""
         return self.degree + 1
 
+    @property
+    def partition(self) -> bool:
+        """Whether the functions sum to 1: they do not."""
+        return False
+
     def derivatives(self, t: ArrayLike, order: int) -> FloatArray:
         """Return derivatives 0 to ``order``, shape (order + 1, *t.shape, size); ValueError for t outside [0, 1]."""
         t = parameter(t, "t")
@@ -112,6 +132,11 @@ class Joined:
     def size(self) -> int:
         """Number of functions."""
         return sum(part.size for part in self.parts)
+
+    @property
+    def partition(self) -> bool:
+        """Whether the functions sum to 1: they do not."""
+        return False
 
     def derivatives(self, t: ArrayLike, order: int) -> FloatArray:
         """Return derivatives 0 to ``order``, shape (order + 1, *t.shape, size); ValueError for t outside [0, 1]."""

@@ -1,11 +1,8 @@
 """The compiled driver behind every result: from rows and blend to curvature, in blocks of points.
 
-For each block the partial derivatives are formed and reduced to a few numbers a point in a scratch array that stays
-in the level-1 cache; ``planes`` turns those into the quantities asked for. Two things let the compiler vectorise the
-loop over the points of a block: the number of rows is a constant of each compiled driver, so that the sums over rows
-unroll, and all inputs of a block lie in one array at constant distances, so that one overlap check is enough. (Seen
-in the machine code: fused multiply-adds on full-width registers, one packed square root, no scalar ones; without the
-constant distances the loop stays scalar and takes four times as long.)
+For each block the partial derivatives are formed in scratch that stays in the level-1 cache; ``planes`` turns them
+into the quantities asked for. The number of increments is a constant of each compiled driver, so that the sums over
+them unroll.
 """
 
 from functools import cache
@@ -13,17 +10,11 @@ from typing import Protocol
 
 import numpy as np
 
-from quintrig import contraction, curvature
+from quintrig import contraction
 from quintrig.arrays import FloatArray
 from quintrig.blocks import BLOCK
-from quintrig.compiled import loop
-from quintrig.planes import SCRATCH_ROWS, CodePlanes, FloatPlanes, fill_planes, store_frame
-
-SIMPLE = frozenset({"gaussian", "mean"})
-"""Quantities that are one expression in a, b, c: they are written at once, without scratch rows of their own."""
-
-FORM_ONLY = SIMPLE | {"k1", "k2", "curvedness", "shape_index", "point_type", "hk_type", "shape_class"}
-"""Quantities that follow from a, b, c alone, without point, normal or frame."""
+from quintrig.compiled import fence, loop
+from quintrig.planes import FULL, KH, SCRATCH_ROWS, Addresses, Settings, fill, gaussian_and_mean
 
 
 class Driver(Protocol):
@@ -37,34 +28,30 @@ class Driver(Protocol):
         start: int,
         stop: int,
         count: int,
-        sign: float,
-        tiny: float,
-        relative: float,
-        flat: float,
-        noise: float,
-        gaussian: FloatArray,
-        mean: FloatArray,
-        floats: FloatPlanes,
-        codes: CodePlanes,
+        need: int,
+        at: Settings,
+        floats: Addresses,
+        codes: Addresses,
     ) -> None:
         """Fill the planes."""
         ...
 
 
 @cache
-def driver(size: int, functions: int, full: bool, simple: bool) -> Driver:
-    """Return the compiled driver for a surface of ``size`` rows.
+def driver(terms: int, functions: int) -> Driver:
+    """Return the compiled driver for a surface of an origin and ``terms`` row increments.
 
-    On a grid, ``functions`` is 0 and ``rows`` (nu, 9 size) holds the derivatives of the rows at each u, ordered
-    (derivative, row, coordinate), and output rows ``start`` to ``stop`` are filled. For scattered points it is the
-    number of functions that the rows share: ``rows`` (blocks, 3 functions BLOCK) holds those functions' derivatives,
-    ``net`` (functions, 3 size) the control points, and output row 0 is filled; -1 says that ``rows`` (blocks, 9 size
-    BLOCK) are row derivatives already. ``blend`` is (blocks, 3 size BLOCK), ``count`` the number of points in an
-    output row. ``full`` also forms point, frame and fundamental forms, ``simple`` writes K and H only.
+    On a grid, ``functions`` is 0 and ``rows`` (nu, 9 (1 + terms)) holds the derivatives of origin and increments at
+    each u, ordered (derivative, term, coordinate), and output rows ``start`` to ``stop`` are filled. For scattered
+    points it is the number of increments of the functions that the rows share: ``rows`` (blocks, 3 functions BLOCK)
+    holds those, ``net`` ((1 + functions) 3 (1 + terms),) origin and increments of the control points, and output row 0
+    is filled; -1 says that ``rows`` (blocks, 9 (1 + terms) BLOCK) are row derivatives already. ``blend`` is
+    (blocks, 3 terms BLOCK), ``count`` the number of points in an output row, ``need``, ``floats`` and ``codes`` as in
+    ``planes``.
     """
     # Only whole numbers may be held in the closure: they are part of the key under which the cache finds the driver.
     stride, step = (1, 0) if functions == 0 else (BLOCK, 1)
-    terms = 3 * size
+    coordinates = 3 * (1 + terms)
 
     @loop
     def drive(
@@ -74,46 +61,27 @@ def driver(size: int, functions: int, full: bool, simple: bool) -> Driver:
         start: int,
         stop: int,
         count: int,
-        sign: float,
-        tiny: float,
-        relative: float,
-        flat: float,
-        noise: float,
-        gaussian: FloatArray,
-        mean: FloatArray,
-        floats: FloatPlanes,
-        codes: CodePlanes,
+        need: int,
+        at: Settings,
+        floats: Addresses,
+        codes: Addresses,
     ) -> None:
         s = np.empty(SCRATCH_ROWS * BLOCK)
-        contracted = np.empty(3 * terms * BLOCK)
+        contracted = np.empty(3 * coordinates * BLOCK)
         for i in range(start, stop):
             for block in range(blend.shape[0]):
                 d = blend[block]
                 r = rows[i if functions == 0 else block]
                 if functions > 0:
-                    contraction.rows_of_net(r, net, contracted, functions, terms, BLOCK)
+                    contraction.rows_of_net(r, net, contracted, functions, coordinates, BLOCK)
                     r = contracted
-                for k in range(BLOCK):
-                    point, du, dv, duu, duv, dvv = contraction.partials(r, d, k, size, BLOCK, stride, step)
-                    frame = curvature.frame(du, dv, duu, duv, dvv, sign, tiny)
-                    a, b, c = curvature.form_in_frame(frame)
-                    s[k] = a
-                    s[BLOCK + k] = b
-                    s[2 * BLOCK + k] = c
-                    if full:
-                        store_frame(s, k, point, du, frame, sign)
+                contraction.partials(r, d, s, need == FULL, terms, BLOCK, stride, step)
                 j = block * BLOCK
-                n = min(BLOCK, count - j)
-                if simple:
-                    if gaussian.size:
-                        out = gaussian[i]
-                        for k in range(n):
-                            out[j + k] = s[k] * s[2 * BLOCK + k] - s[BLOCK + k] * s[BLOCK + k]
-                    if mean.size:
-                        out = mean[i]
-                        for k in range(n):
-                            out[j + k] = 0.5 * (s[k] + s[2 * BLOCK + k])
+                n, offset = min(BLOCK, count - j), i * count + j
+                if need == KH:
+                    gaussian_and_mean(s, n, offset, at, floats)
                 else:
-                    fill_planes(s, n, i, j, sign, relative, flat, noise, floats, codes)
+                    fill(s, n, offset, need == FULL, at, floats, codes)
+        fence()
 
     return drive

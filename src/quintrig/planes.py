@@ -1,18 +1,40 @@
-"""The output planes of an analysis, and the loops that fill them from a block's scratch rows.
+"""The output planes of an analysis, and the loops that fill them, block by block.
 
-Outputs are separate planes, one for each component; a plane of shape (0, 0) is a quantity that nobody asked for, and
-costs nothing. Scratch holds ``SCRATCH_ROWS`` rows of BLOCK numbers: a few numbers a point, from which every quantity
-follows.
+A plane is one component of a quantity at all points. The compiled code gets the addresses of the planes: an array of
+them is one argument, whatever arrays they lie in, and no reference is counted where threads work side by side.
+
+Between partial derivatives and planes lies scratch, ``SCRATCH_ROWS`` rows of BLOCK numbers in one array: all rows at
+constant distances, so that the compiler sees that they do not overlap and vectorises every loop over a block. (Seen in
+the machine code: fused multiply-adds on full-width registers, packed roots and divisions, no calls.)
 """
 
+from collections.abc import Iterable
+from typing import NamedTuple
+
 import numpy as np
+from numpy.typing import NDArray
 
 from quintrig import classify, curvature, invariants
-from quintrig.arrays import FloatArray, IntArray
+from quintrig.arrays import FloatArray
 from quintrig.blocks import BLOCK
-from quintrig.compiled import loop, scalar
+from quintrig.compiled import codes_at, floats_at, loop, scalar, stream_line
+from quintrig.contraction import DU, DUU, DUV, DV, DVV
 from quintrig.curvature import Three
 from quintrig.quantity import QUANTITIES
+
+Addresses = NDArray[np.int64]
+"""Where each plane starts, 0 for one that nobody asked for."""
+
+
+class Settings(NamedTuple):
+    """What the quantities depend on beside the surface's derivatives."""
+
+    sign: float  # of the normal against S_u x S_v
+    tiny: float  # largest |S_u x S_v| of a singular point, length²
+    relative: float  # thresholds: see classify.Thresholds
+    flat: float  # curvedness, length⁻¹
+    noise: float  # curvedness that is rounding of a plane, length⁻¹
+    stream: bool  # whether to write past the caches, which asks for planes that start on cache lines
 
 
 def _slots() -> tuple[dict[str, int], dict[str, int]]:
@@ -29,201 +51,209 @@ def _slots() -> tuple[dict[str, int], dict[str, int]]:
 
 
 FLOAT_SLOTS, CODE_SLOTS = _slots()
-"""Index of the first output plane of each real quantity, and of the plane of each classification."""
+"""Index of the first plane of each real quantity, and of the plane of each classification."""
 
 FLOAT_PLANES = sum(q.components for q in QUANTITIES if q.colour != "classes")
 CODE_PLANES = len(CODE_SLOTS)
 
 _POINT, _NORMAL, _FORMS = FLOAT_SLOTS["point"], FLOAT_SLOTS["normal"], FLOAT_SLOTS["E"]
-_GAUSSIAN, _MEAN = FLOAT_SLOTS["gaussian"], FLOAT_SLOTS["mean"]
-_K1, _K2 = FLOAT_SLOTS["k1"], FLOAT_SLOTS["k2"]
-_DIRECTION1, _DIRECTION2 = FLOAT_SLOTS["direction1"], FLOAT_SLOTS["direction2"]
-_INDEX, _CURVEDNESS = FLOAT_SLOTS["shape_index"], FLOAT_SLOTS["curvedness"]
+_GAUSSIAN, _DIRECTIONS, _INDEX = FLOAT_SLOTS["gaussian"], FLOAT_SLOTS["direction1"], FLOAT_SLOTS["shape_index"]
 _PLANAR, _SURFACE = FLOAT_SLOTS["beta0"], FLOAT_SLOTS["beta0_surface"]
 _POINT_TYPE, _HK = CODE_SLOTS["point_type"], CODE_SLOTS["hk_type"]
 _SHAPE, _INVARIANT = CODE_SLOTS["shape_class"], CODE_SLOTS["invariant_type"]
 
-# Scratch rows: a b c | normal | e1 | e2 | point | E F G L M N | H R K C | six invariants | Besl's number
-_ROW_NORMAL, _ROW_E1, _ROW_E2, _ROW_POINT, _ROW_FORMS = 3, 6, 9, 12, 15
-_ROW_H, _ROW_R, _ROW_K, _ROW_C, _ROW_INVARIANTS = 21, 22, 23, 24, 25
-SCRATCH_ROWS = 31
+KH, FORM, FULL = range(3)
+"""How much the planes need: K and H alone; what follows from a, b, c; point, normal and frame too."""
 
-FloatPlanes = tuple[FloatArray, ...]
-CodePlanes = tuple[IntArray, ...]
+_OF_FORM = {"gaussian", "mean", "k1", "k2", "curvedness", "shape_index", "point_type", "hk_type", "shape_class"}
+
+# Scratch rows after the partial derivatives, neighbours in the order of their planes
+_K, _H, _K1, _K2, _S, _CURVED, _A, _B, _C, _R, _CODE = range(18, 29)
+_N, _E1, _E2 = 29, 32, 35
+SCRATCH_ROWS = 38
+# The partial derivatives' rows are free again once the frame is known.
+_OUT = DU
 
 
-@scalar
-def _copy(s: FloatArray, row: int, n: int, out: FloatArray, j: int) -> None:
-    for k in range(n):
-        out[j + k] = s[row * BLOCK + k]
+def needs(keys: Iterable[str]) -> int:
+    """Return ``KH``, ``FORM`` or ``FULL`` for the keys of some quantities."""
+    wanted = set(keys)
+    if wanted <= {"gaussian", "mean"}:
+        return KH
+    return FORM if wanted <= _OF_FORM else FULL
 
 
 @loop
-def fill_planes(
-    s: FloatArray,
-    n: int,
-    i: int,
-    j: int,
-    sign: float,
-    relative: float,
-    flat: float,
-    noise: float,
-    floats: FloatPlanes,
-    codes: CodePlanes,
-) -> None:
-    """Write the requested quantities of ``n`` points from scratch ``s`` to row i, columns j onwards."""
+def gaussian_and_mean(s: FloatArray, n: int, offset: int, at: Settings, floats: Addresses) -> None:
+    """Write K and H, and nothing else, of ``n`` points; arguments as in ``fill``."""
+    # Straight to the planes; one that is not asked for stays in scratch.
+    scratch, first, second = s.ctypes.data, floats[_GAUSSIAN], floats[_GAUSSIAN + 1]
+    gaussian = floats_at(first + 8 * offset if first else scratch + 8 * _K * BLOCK)
+    mean = floats_at(second + 8 * offset if second else scratch + 8 * _H * BLOCK)
     for k in range(n):
-        a, b, c = s[k], s[BLOCK + k], s[2 * BLOCK + k]
-        mean, radius = curvature.mean_and_radius(a, b, c)
-        s[_ROW_H * BLOCK + k] = mean
-        s[_ROW_R * BLOCK + k] = radius
-        s[_ROW_K * BLOCK + k] = a * c - b * b
-        s[_ROW_C * BLOCK + k] = np.sqrt(mean * mean + radius * radius)
-    if floats[_GAUSSIAN].size:
-        _copy(s, _ROW_K, n, floats[_GAUSSIAN][i], j)
-    if floats[_MEAN].size:
-        _copy(s, _ROW_H, n, floats[_MEAN][i], j)
-    if floats[_CURVEDNESS].size:
-        _copy(s, _ROW_C, n, floats[_CURVEDNESS][i], j)
-    if floats[_K1].size:
-        out = floats[_K1][i]
+        du, dv = _three(s, DU, k), _three(s, DV, k)
+        normal = curvature.cross(du, dv)
+        inverse = curvature.inverse_area(normal, at.tiny)
+        a, b, c = curvature.form_in_frame(
+            du, dv, _three(s, DUU, k), _three(s, DUV, k), _three(s, DVV, k), normal, inverse, at.sign
+        )
+        gaussian[k] = curvature.gaussian(a, b, c)
+        mean[k] = curvature.mean(a, c)
+
+
+@loop
+def fill(s: FloatArray, n: int, offset: int, full: bool, at: Settings, floats: Addresses, codes: Addresses) -> None:
+    """Write ``n`` points from their partial derivatives in ``s`` to the planes, ``offset`` points after their starts.
+
+    ``full`` forms point, normal and frame too.
+    """
+    _forms(s, full, at)
+    _write(s, _K, 4, n, offset, floats, _GAUSSIAN, at.stream)
+    if codes[_HK] or codes[_SHAPE] or codes[_POINT_TYPE]:
+        for k in range(BLOCK):
+            gauss, h, c = s[_K * BLOCK + k], s[_H * BLOCK + k], s[_CURVED * BLOCK + k]
+            s[_CODE * BLOCK + k] = classify.besl(gauss, h, c, at.relative, at.flat)
+    if codes[_HK]:
+        out = codes_at(codes[_HK] + offset)
         for k in range(n):
-            out[j + k] = s[_ROW_H * BLOCK + k] + s[_ROW_R * BLOCK + k]
-    if floats[_K2].size:
-        out = floats[_K2][i]
+            out[k] = np.int8(s[_CODE * BLOCK + k])
+    if codes[_POINT_TYPE]:
+        out = codes_at(codes[_POINT_TYPE] + offset)
         for k in range(n):
-            out[j + k] = s[_ROW_H * BLOCK + k] - s[_ROW_R * BLOCK + k]
-    if floats[_POINT].size:
-        for x in range(3):
-            _copy(s, _ROW_POINT + x, n, floats[_POINT + x][i], j)
-    if floats[_NORMAL].size:
-        for x in range(3):
-            _copy(s, _ROW_NORMAL + x, n, floats[_NORMAL + x][i], j)
-    for x in range(6):
-        if floats[_FORMS + x].size:
-            _copy(s, _ROW_FORMS + x, n, floats[_FORMS + x][i], j)
-    if floats[_DIRECTION1].size or floats[_DIRECTION2].size:
-        _directions(s, n, i, j, relative, noise, floats)
-    if floats[_INDEX].size or codes[_SHAPE].size:
-        _indices(s, n, i, j, relative, flat, noise, floats, codes)
-    if codes[_HK].size:
-        out = codes[_HK][i]
+            gauss, r, c = s[_K * BLOCK + k], s[_R * BLOCK + k], s[_CURVED * BLOCK + k]
+            out[k] = np.int8(classify.point_type(s[_CODE * BLOCK + k], gauss, r, c, at.relative))
+    if floats[_INDEX] or codes[_SHAPE]:
+        for k in range(BLOCK):
+            h, r, c = s[_H * BLOCK + k], s[_R * BLOCK + k], s[_CURVED * BLOCK + k]
+            s[_S * BLOCK + k] = curvature.shape_index(h, r, c, at.noise)
+    if codes[_SHAPE]:
+        out = codes_at(codes[_SHAPE] + offset)
         for k in range(n):
-            out[j + k] = classify.besl(
-                s[_ROW_K * BLOCK + k], s[_ROW_H * BLOCK + k], s[_ROW_C * BLOCK + k], relative, flat
+            out[k] = np.int8(classify.shape_class(s[_S * BLOCK + k], s[_CODE * BLOCK + k]))
+    _write(s, _S, 2, n, offset, floats, _INDEX, at.stream)
+    if full:
+        _frame_planes(s, n, offset, at, floats, codes)
+
+
+@loop
+def _forms(s: FloatArray, full: bool, at: Settings) -> None:
+    """Fill the scratch rows that follow from the partial derivatives; normal and frame only if ``full``."""
+    for k in range(BLOCK):
+        du, dv = _three(s, DU, k), _three(s, DV, k)
+        normal = curvature.cross(du, dv)
+        inverse = curvature.inverse_area(normal, at.tiny)
+        a, b, c = curvature.form_in_frame(
+            du, dv, _three(s, DUU, k), _three(s, DUV, k), _three(s, DVV, k), normal, inverse, at.sign
+        )
+        mean, radius = curvature.mean(a, c), curvature.radius(a, b, c)
+        s[_A * BLOCK + k] = a
+        s[_B * BLOCK + k] = b
+        s[_C * BLOCK + k] = c
+        s[_R * BLOCK + k] = radius
+        s[_K * BLOCK + k] = curvature.gaussian(a, b, c)
+        s[_H * BLOCK + k] = mean
+        s[_K1 * BLOCK + k] = mean + radius
+        s[_K2 * BLOCK + k] = mean - radius
+        s[_CURVED * BLOCK + k] = np.sqrt(mean * mean + radius * radius)
+        if full:
+            side, along = at.sign * inverse, 1.0 / np.sqrt(curvature.dot(du, du))
+            n = normal[0] * side, normal[1] * side, normal[2] * side
+            e1 = du[0] * along, du[1] * along, du[2] * along
+            e2 = curvature.cross(n, e1)
+            _store(s, _N, k, n)
+            _store(s, _E1, k, e1)
+            _store(s, _E2, k, (at.sign * e2[0], at.sign * e2[1], at.sign * e2[2]))
+
+
+@loop
+def _frame_planes(s: FloatArray, n: int, offset: int, at: Settings, floats: Addresses, codes: Addresses) -> None:
+    """Write what needs point, normal or frame."""
+    _write(s, 0, 3, n, offset, floats, _POINT, at.stream)
+    _write(s, _N, 3, n, offset, floats, _NORMAL, at.stream)
+    if _any(floats, _FORMS, 6):
+        for k in range(BLOCK):
+            du, dv, normal = _three(s, DU, k), _three(s, DV, k), _three(s, _N, k)
+            second = (
+                curvature.dot(_three(s, DUU, k), normal),
+                curvature.dot(_three(s, DUV, k), normal),
+                curvature.dot(_three(s, DVV, k), normal),
             )
-    if codes[_POINT_TYPE].size:
-        out = codes[_POINT_TYPE][i]
+            _store(s, _OUT, k, (curvature.dot(du, du), curvature.dot(du, dv), curvature.dot(dv, dv)))
+            _store(s, _OUT + 3, k, second)
+        _write(s, _OUT, 6, n, offset, floats, _FORMS, at.stream)
+    if _any(floats, _DIRECTIONS, 6):
+        _directions(s, at)
+        _write(s, _OUT, 6, n, offset, floats, _DIRECTIONS, at.stream)
+    if _any(floats, _SURFACE, 6):
+        _invariants(s, True, at.sign)
+        _write(s, _OUT, 6, n, offset, floats, _SURFACE, at.stream)
+    if codes[_INVARIANT] or _any(floats, _PLANAR, 6):
+        _invariants(s, False, at.sign)
+        _write(s, _OUT, 6, n, offset, floats, _PLANAR, at.stream)
+    if codes[_INVARIANT]:
+        out = codes_at(codes[_INVARIANT] + offset)
         for k in range(n):
-            h, r, c = s[_ROW_H * BLOCK + k], s[_ROW_R * BLOCK + k], s[_ROW_C * BLOCK + k]
-            code = classify.besl(s[_ROW_K * BLOCK + k], h, c, relative, flat)
-            out[j + k] = classify.point_type(code, r, c, relative)
-    wanted = codes[_INVARIANT].size
-    for x in range(6):
-        wanted += floats[_PLANAR + x].size + floats[_SURFACE + x].size
-    if wanted:
-        _six_invariants(s, n, i, j, sign, relative, flat, floats, codes)
-
-
-@loop
-def _directions(s: FloatArray, n: int, i: int, j: int, relative: float, noise: float, floats: FloatPlanes) -> None:
-    for x in range(3):
-        for second in range(2):
-            out = floats[(_DIRECTION2 if second else _DIRECTION1) + x]
-            if out.size:
-                row = out[i]
-                for k in range(n):
-                    a, b, c = s[k], s[BLOCK + k], s[2 * BLOCK + k]
-                    r = s[_ROW_R * BLOCK + k]
-                    p, q = curvature.principal_direction(a, b, c, r)
-                    e1, e2 = s[(_ROW_E1 + x) * BLOCK + k], s[(_ROW_E2 + x) * BLOCK + k]
-                    value = p * e2 - q * e1 if second else p * e1 + q * e2
-                    c = s[_ROW_C * BLOCK + k]
-                    row[j + k] = value if r > relative * c and c > noise else np.nan
-
-
-@loop
-def _indices(
-    s: FloatArray,
-    n: int,
-    i: int,
-    j: int,
-    relative: float,
-    flat: float,
-    noise: float,
-    floats: FloatPlanes,
-    codes: CodePlanes,
-) -> None:
-    for k in range(n):
-        h, r, c = s[_ROW_H * BLOCK + k], s[_ROW_R * BLOCK + k], s[_ROW_C * BLOCK + k]
-        index = curvature.shape_index(h, r, c, noise)
-        if floats[_INDEX].size:
-            floats[_INDEX][i, j + k] = index
-        if codes[_SHAPE].size:
-            code = classify.besl(s[_ROW_K * BLOCK + k], h, c, relative, flat)
-            codes[_SHAPE][i, j + k] = classify.shape_class(index, code)
-
-
-@loop
-def _six_invariants(
-    s: FloatArray,
-    n: int,
-    i: int,
-    j: int,
-    sign: float,
-    relative: float,
-    flat: float,
-    floats: FloatPlanes,
-    codes: CodePlanes,
-) -> None:
-    for metric in range(2):
-        for k in range(n):
-            z1, z2 = s[(_ROW_E1 + 2) * BLOCK + k], s[(_ROW_E2 + 2) * BLOCK + k]
-            nz = s[(_ROW_NORMAL + 2) * BLOCK + k]
-            g1, g2, g3 = invariants.slope_forms(s[k], s[BLOCK + k], s[2 * BLOCK + k], z1, z2, sign)
-            slope = z1 * z1 + z2 * z2
-            h, gauss = s[_ROW_H * BLOCK + k], s[_ROW_K * BLOCK + k]
-            if metric == 0:
-                values = invariants.planar(g1, g2, g3, slope, h, gauss, nz)
-            else:
-                values = invariants.surface(g1, g2, g3, slope, h, gauss, nz)
-            s[_ROW_INVARIANTS * BLOCK + k] = values[0]
-            s[(_ROW_INVARIANTS + 1) * BLOCK + k] = values[1]
-            s[(_ROW_INVARIANTS + 2) * BLOCK + k] = values[2]
-            s[(_ROW_INVARIANTS + 3) * BLOCK + k] = values[3]
-            s[(_ROW_INVARIANTS + 4) * BLOCK + k] = values[4]
-            s[(_ROW_INVARIANTS + 5) * BLOCK + k] = values[5]
-        for x in range(6):
-            out = floats[(_SURFACE if metric else _PLANAR) + x]
-            if out.size:
-                _copy(s, _ROW_INVARIANTS + x, n, out[i], j)
-        if metric == 0 and codes[_INVARIANT].size:
-            row = codes[_INVARIANT][i]
-            for k in range(n):
-                half = 0.5 * s[(_ROW_INVARIANTS + 1) * BLOCK + k]
-                det = s[(_ROW_INVARIANTS + 2) * BLOCK + k]
-                # max keeps rounding from a negative root; written so that NaN stays NaN.
-                square = 2.0 * half * half - det
-                row[j + k] = classify.besl(det, half, np.sqrt(square if not square < 0.0 else 0.0), relative, flat)
+            half, det = 0.5 * s[(_OUT + 1) * BLOCK + k], s[(_OUT + 2) * BLOCK + k]
+            # max keeps rounding from a negative root; written so that NaN stays NaN.
+            square = 2.0 * half * half - det
+            bend = np.sqrt(square if not square < 0.0 else 0.0)
+            out[k] = np.int8(classify.besl(det, half, bend, at.relative, at.flat))
 
 
 @scalar
-def store_frame(s: FloatArray, k: int, point: Three, tangent: Three, at: curvature.Frame, sign: float) -> None:
-    """Store point, normal, frame and fundamental forms of point k in scratch; ``tangent`` is S_u."""
-    normal, _, first, second = at
-    nx, ny, nz = normal
-    scale = 1.0 / np.sqrt(first[0])
-    x, y, z = tangent[0] * scale, tangent[1] * scale, tangent[2] * scale
-    s[_ROW_E1 * BLOCK + k] = x
-    s[(_ROW_E1 + 1) * BLOCK + k] = y
-    s[(_ROW_E1 + 2) * BLOCK + k] = z
-    s[_ROW_E2 * BLOCK + k] = sign * (ny * z - nz * y)
-    s[(_ROW_E2 + 1) * BLOCK + k] = sign * (nz * x - nx * z)
-    s[(_ROW_E2 + 2) * BLOCK + k] = sign * (nx * y - ny * x)
-    _store(s, _ROW_NORMAL, k, normal)
-    _store(s, _ROW_POINT, k, point)
-    _store(s, _ROW_FORMS, k, first)
-    _store(s, _ROW_FORMS + 3, k, second)
+def _directions(s: FloatArray, at: Settings) -> None:
+    """Fill six rows with the directions of κ1 and κ2."""
+    for k in range(BLOCK):
+        a, b, c = s[_A * BLOCK + k], s[_B * BLOCK + k], s[_C * BLOCK + k]
+        r, curved = s[_R * BLOCK + k], s[_CURVED * BLOCK + k]
+        p, q = curvature.principal_direction(a, b, c, r)
+        p = p if r > at.relative * curved and curved > at.noise else np.nan
+        e1, e2 = _three(s, _E1, k), _three(s, _E2, k)
+        _store(s, _OUT, k, (p * e1[0] + q * e2[0], p * e1[1] + q * e2[1], p * e1[2] + q * e2[2]))
+        _store(s, _OUT + 3, k, (p * e2[0] - q * e1[0], p * e2[1] - q * e1[1], p * e2[2] - q * e1[2]))
+
+
+@scalar
+def _invariants(s: FloatArray, surface: bool, sign: float) -> None:
+    """Fill six rows with the invariants in one of the two metrics."""
+    for k in range(BLOCK):
+        z1, z2, nz = s[(_E1 + 2) * BLOCK + k], s[(_E2 + 2) * BLOCK + k], s[(_N + 2) * BLOCK + k]
+        g1, g2, g3 = invariants.slope_forms(s[_A * BLOCK + k], s[_B * BLOCK + k], s[_C * BLOCK + k], z1, z2, sign)
+        slope = z1 * z1 + z2 * z2
+        h, gauss = s[_H * BLOCK + k], s[_K * BLOCK + k]
+        if surface:
+            six = invariants.surface(g1, g2, g3, slope, h, gauss, nz)
+        else:
+            six = invariants.planar(g1, g2, g3, slope, h, gauss, nz)
+        _store(s, _OUT, k, (six[0], six[1], six[2]))
+        _store(s, _OUT + 3, k, (six[3], six[4], six[5]))
+
+
+@loop
+def _write(s: FloatArray, row: int, rows: int, n: int, offset: int, floats: Addresses, slot: int, stream: bool) -> None:
+    """Copy ``n`` numbers of each of ``rows`` scratch rows to the planes from ``slot`` on that are asked for."""
+    for x in range(rows):
+        if floats[slot + x]:
+            target = floats[slot + x] + 8 * offset
+            source, lines = (row + x) * BLOCK, n // 8 if stream else 0
+            for line in range(lines):
+                stream_line(target + 64 * line, s.ctypes.data + 8 * source + 64 * line)
+            out = floats_at(target)
+            for k in range(8 * lines, n):
+                out[k] = s[source + k]
+
+
+@scalar
+def _any(floats: Addresses, slot: int, count: int) -> bool:
+    wanted = 0
+    for x in range(count):
+        wanted |= floats[slot + x]
+    return wanted != 0
+
+
+@scalar
+def _three(s: FloatArray, row: int, k: int) -> Three:
+    return s[row * BLOCK + k], s[(row + 1) * BLOCK + k], s[(row + 2) * BLOCK + k]
 
 
 @scalar

@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from quintrig import evaluate
-from quintrig.arrays import BoolArray, FloatArray, parameter, whole
+from quintrig.arrays import BoolArray, FloatArray, aligned, parameter, whole
 from quintrig.classify import Thresholds
+from quintrig.planes import Settings
 from quintrig.quantity import BY_KEY, quantity
 from quintrig.surface import Surface
 
@@ -90,7 +91,7 @@ def analyse(
 
     u of shape (nu, 1) and v of shape (1, nv) are a grid and take the fast path; the results are the same, to
     rounding. ``quantities`` are keys of the table in ``quantity`` (None: all). ``threads`` defaults to the machine's
-    cores for large work. ``out`` gives C-contiguous arrays of the result's shape to write scalar quantities into.
+    cores for large work. ``out`` gives arrays to write into: C-contiguous, or those of an earlier sample's ``values``.
     Singular points give NaN and code 0. Raises ValueError for NaN or parameters outside [0, 1], unknown keys and
     unfit arrays.
     """
@@ -109,19 +110,20 @@ def analyse(
         raise ValueError(f"out[{sorted(strange)[0]!r}]: expected only quantities that are asked for")
     planes = {key: _plane(key, rows, columns, shape, out) for key in keys}
     per_size = 1.0 / size if size > 0.0 else math.inf
-    settings = (
+    at = Settings(
         surface.sign,
         SINGULAR * size * size if size > 0.0 else math.inf,  # a single point has no tangent plane at all
         thresholds.relative,
         thresholds.flat * per_size,
         _NOISE * per_size,
+        evaluate.worth_streaming(planes),
     )
     threads = evaluate.workers(threads, rows * columns)
     if on_grid:
-        evaluate.on_grid(surface, u[:, 0], v[0], planes, threads, settings)
+        evaluate.on_grid(surface, u[:, 0], v[0], planes, threads, at)
     else:
         flat_u, flat_v = (array.reshape(-1) for array in np.broadcast_arrays(u, v))
-        evaluate.scattered(surface, flat_u, flat_v, planes, threads, settings)
+        evaluate.scattered(surface, flat_u, flat_v, planes, threads, at)
     values = {key: _shaped(key, plane, shape) for key, plane in planes.items()}
     return Sample(surface, u, v, MappingProxyType(values), thresholds, size)
 
@@ -139,15 +141,19 @@ def _plane(
     q = BY_KEY[key]
     kind = np.int8 if q.colour == "classes" else np.float64
     if out is None or key not in out:
-        return np.empty((q.components, rows, columns), dtype=kind)
+        return aligned((q.components, rows, columns), kind)
     array = out[key]
-    fits = array.shape == shape and array.dtype == kind and array.flags.c_contiguous and array.flags.writeable
-    if not fits or q.components != 1:
+    vector = q.components == 3
+    wanted = (*shape, 3) if vector else shape
+    # A vector's components are planes, as in the arrays of a sample.
+    planes = np.moveaxis(array, -1, 0) if vector and array.ndim else array
+    if array.shape != wanted or array.dtype != kind or not (planes.flags.c_contiguous and planes.flags.writeable):
+        form = "with the last axis outermost, as in a sample" if vector else "C-contiguous"
         raise ValueError(
-            f"out[{key!r}]: expected a writable C-contiguous {np.dtype(kind)} array of shape {shape}, for a scalar "
-            f"quantity, found {array.dtype} of shape {array.shape}"
+            f"out[{key!r}]: expected a writable {np.dtype(kind)} array of shape {wanted}, {form}, "
+            f"found {array.dtype} of shape {array.shape}"
         )
-    return array.reshape(1, rows, columns)
+    return planes.reshape(q.components, rows, columns)
 
 
 def _shaped(key: str, plane: NDArray[Any], shape: tuple[int, ...]) -> NDArray[Any]:

@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 from importlib import import_module
 from typing import Any, Protocol
 
@@ -132,7 +133,7 @@ class Surface:
         """+1 when the normal points along S_u x S_v, -1 when flipped."""
         return -1.0 if self.flip else 1.0
 
-    @property
+    @cached_property
     def size(self) -> float:
         """Diagonal of the bounding box of 17 x 17 points of the surface, length¹: the scale of all thresholds.
 
@@ -143,11 +144,17 @@ class Surface:
         points = points[np.isfinite(points).all(axis=-1)]
         if not len(points):
             return 0.0
-        away = np.abs(points - np.median(points, axis=0)).max(axis=-1)
-        near = away <= (1e6 * np.median(away) or np.inf)
-        diagonal = float(np.linalg.norm(np.ptp(points[near], axis=0)))
+        away = np.abs(points - _middle(points)).max(axis=-1)
+        points = points[away <= (1e6 * _middle(away) or np.inf)]
+        diagonal = float(np.linalg.norm(points.max(axis=0) - points.min(axis=0)))
         # What is left of a single point after rounding is no size.
-        return diagonal if diagonal > 32 * np.finfo(np.float64).eps * np.abs(points[near]).max() else 0.0
+        return diagonal if diagonal > 32 * np.finfo(np.float64).eps * np.abs(points).max() else 0.0
+
+
+def _middle(values: FloatArray) -> FloatArray:
+    """Return the upper median along the first axis."""
+    middle = len(values) // 2
+    return np.partition(values, middle, axis=0)[middle]
 
 
 def _projected(blended: FloatArray) -> FloatArray:

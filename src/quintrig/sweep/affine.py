@@ -12,6 +12,8 @@ import numpy as np
 
 from quintrig.arrays import FloatArray
 from quintrig.definition import Bezier, Swung
+from quintrig.evaluate import row_derivatives
+from quintrig.increments import increments
 from quintrig.model import Patch
 from quintrig.surface import Surface
 from quintrig.sweep.space import SHAPE_NAMES, DesignSpace, parameters
@@ -22,7 +24,10 @@ _STEP = 2.0**20  # a power of two, so that dividing by it rounds nothing
 
 @dataclass(frozen=True, eq=False)
 class Parts:
-    """Row (1 + p, nu, 9 m) and blend derivatives (1 + p, 3 m block): the first plus each other times its weight."""
+    """Derivatives of origin and row increments (1 + p, nu, 9 (1 + terms)) and of the blend's (1 + p, 3 terms block).
+
+    The first part plus each other times its weight gives a design.
+    """
 
     rows: FloatArray
     blend: FloatArray
@@ -73,7 +78,7 @@ def _at(patch: Patch, shape: list[float]) -> Surface:
 
 
 def _derivatives(surface: Surface, u: FloatArray, v: FloatArray, block: int) -> tuple[FloatArray, FloatArray]:
-    rows = surface.rows.derivatives(u, 2).transpose(1, 0, 2, 3).reshape(len(u), -1)
+    rows = row_derivatives(surface, u).reshape(len(u), -1)
     padded = np.concatenate([v, np.full(block - len(v), v[-1])])
-    blend = surface.blend.derivatives(padded, 2).transpose(0, 2, 1).reshape(-1)
+    blend = increments(surface.blend, padded, 2).transpose(0, 2, 1).reshape(-1)
     return np.ascontiguousarray(rows), np.ascontiguousarray(blend)

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from quintrig.arrays import FloatArray
 from quintrig.classify import Thresholds
+from quintrig.increments import terms
 from quintrig.model import Patch
 from quintrig.sample import SINGULAR
 from quintrig.surface import Surface
@@ -55,7 +56,7 @@ def _summarised(
     result = np.empty((len(amounts), len(COLUMNS)))
     block = _block(v)
     padded = np.concatenate([v[1], np.zeros(block - len(v[1]))])
-    run = summariser(surface.rows.size, block)
+    run = summariser(terms(surface.blend), block)
     settings = (surface.sign, SINGULAR, thresholds.relative, thresholds.flat)
     run(parts.rows, parts.blend, amounts, u[1], padded, *settings, result)
     return result

@@ -13,6 +13,7 @@ from quintrig import classify, contraction, curvature
 from quintrig.arrays import FloatArray
 from quintrig.classify import HK_TYPES
 from quintrig.compiled import loop, scalar
+from quintrig.contraction import DU, DUU, DUV, DV, DVV, PARTIALS
 
 _EXTREMES = ("gaussian", "mean", "curvedness")
 
@@ -29,8 +30,9 @@ COLUMNS: tuple[str, ...] = (
 
 _SUMS, _SHARES, _SINGULAR = 6, 12, 21
 _ACCUMULATORS = 22
-_K, _H, _C, _W, _THIN, _CODE = range(6)
-_SCRATCH = 6
+# Scratch rows after the partial derivatives
+_K, _H, _C, _W, _THIN, _CODE = range(PARTIALS, PARTIALS + 6)
+_SCRATCH = PARTIALS + 6
 
 
 class Summariser(Protocol):
@@ -67,7 +69,7 @@ def clenshaw_curtis(count: int) -> tuple[FloatArray, FloatArray]:
 
 
 @scalar
-def _extent(r: FloatArray, d: FloatArray, s: FloatArray, size: int, block: int) -> float:
+def _extent(r: FloatArray, d: FloatArray, s: FloatArray, terms: int, block: int) -> float:
     """Return the diagonal of the bounding box of every fourth row of points and the last."""
     square = 0.0
     for axis in range(3):
@@ -75,9 +77,9 @@ def _extent(r: FloatArray, d: FloatArray, s: FloatArray, size: int, block: int) 
         for i in range(0, r.shape[0] + 3, 4):
             row = r[min(i, r.shape[0] - 1)]
             for k in range(block):
-                value = 0.0
-                for m in range(size):
-                    value += row[3 * m + axis] * d[m * block + k]
+                value = row[axis]
+                for m in range(terms):
+                    value += row[3 * (m + 1) + axis] * d[m * block + k]
                 s[k] = value
             low = min(low, s[:block].min())
             high = max(high, s[:block].max())
@@ -86,19 +88,26 @@ def _extent(r: FloatArray, d: FloatArray, s: FloatArray, size: int, block: int) 
 
 
 @scalar
-def _points(r: FloatArray, d: FloatArray, s: FloatArray, sign: float, tiny: float, size: int, block: int) -> None:
-    """Write K, H, C, W and the thin-plate integrand of one row of points to scratch."""
+def _points(s: FloatArray, sign: float, tiny: float, block: int) -> None:
+    """Write K, H, C, W and the thin-plate integrand of one row of points to scratch, from their partial derivatives."""
     for k in range(block):
-        _, du, dv, duu, duv, dvv = contraction.partials(r, d, k, size, block, 1, 0)
-        frame = curvature.frame(du, dv, duu, duv, dvv, sign, tiny)
-        a, b, c = curvature.form_in_frame(frame)
-        mean, radius = curvature.mean_and_radius(a, b, c)
-        s[_K * block + k] = a * c - b * b
+        du, dv = _three(s, DU, k, block), _three(s, DV, k, block)
+        duu, duv, dvv = _three(s, DUU, k, block), _three(s, DUV, k, block), _three(s, DVV, k, block)
+        normal = curvature.cross(du, dv)
+        inverse = curvature.inverse_area(normal, tiny)
+        a, b, c = curvature.form_in_frame(du, dv, duu, duv, dvv, normal, inverse, sign)
+        mean, radius = curvature.mean(a, c), curvature.radius(a, b, c)
+        s[_K * block + k] = curvature.gaussian(a, b, c)
         s[_H * block + k] = mean
         s[_C * block + k] = np.sqrt(mean * mean + radius * radius)
-        s[_W * block + k] = 1.0 / frame[1]
+        s[_W * block + k] = 1.0 / inverse
         dot = curvature.dot
         s[_THIN * block + k] = dot(duu, duu) + 2.0 * dot(duv, duv) + dot(dvv, dvv)
+
+
+@scalar
+def _three(s: FloatArray, row: int, k: int, block: int) -> curvature.Three:
+    return s[row * block + k], s[(row + 1) * block + k], s[(row + 2) * block + k]
 
 
 @scalar
@@ -109,7 +118,7 @@ def _gather(
     for q in range(3):
         low, high = lanes[2 * q], lanes[2 * q + 1]
         for k in range(block):
-            value = s[q * block + k]
+            value = s[(_K + q) * block + k]
             low[k] = value if value < low[k] else low[k]
             high[k] = -value if -value < high[k] else high[k]
     for k in range(block):
@@ -150,12 +159,12 @@ def _reduce(lanes: FloatArray, row: FloatArray) -> None:
 
 
 @cache
-def summariser(size: int, block: int) -> Summariser:
-    """Return the compiled summary for surfaces of ``size`` rows and at most ``block`` points in v.
+def summariser(terms: int, block: int) -> Summariser:
+    """Return the compiled summary for surfaces of ``terms`` row increments and at most ``block`` points in v.
 
-    ``rows`` (1 + p, nu, 9 size) and ``blend`` (1 + p, 3 size block) are the parts of ``affine.Parts``, ``weights``
-    (n, p); ``wu`` (nu,) and ``wv`` (block,) quadrature weights, zero where v is padding; ``singular`` and ``flat`` as
-    shares of the size; ``out`` (n, columns).
+    ``rows`` (1 + p, nu, 9 (1 + terms)) and ``blend`` (1 + p, 3 terms block) are those of ``affine.Parts``,
+    ``weights`` (n, p); ``wu`` (nu,) and ``wv`` (block,) quadrature weights, zero where v is padding; ``singular`` and
+    ``flat`` as shares of the size; ``out`` (n, columns).
     """
 
     @loop
@@ -171,8 +180,8 @@ def summariser(size: int, block: int) -> Summariser:
         flat: float,
         out: FloatArray,
     ) -> None:
-        r = np.empty((rows.shape[1], 9 * size))
-        d = np.empty(3 * size * block)
+        r = np.empty((rows.shape[1], rows.shape[2]))
+        d = np.empty(3 * terms * block)
         lanes = np.empty((_ACCUMULATORS, block))
         s = np.empty(_SCRATCH * block)
         for n in range(weights.shape[0]):
@@ -185,13 +194,14 @@ def summariser(size: int, block: int) -> Summariser:
                 for i in range(r.shape[0]):
                     for x in range(r.shape[1]):
                         r[i, x] += value * rows[p + 1, i, x]
-            extent = _extent(r, d, s, size, block)
+            extent = _extent(r, d, s, terms, block)
             tiny = singular * extent * extent
             plane = flat / extent if extent > 0.0 else np.inf
             lanes[:_SUMS] = np.inf
             lanes[_SUMS:] = 0.0
             for i in range(r.shape[0]):
-                _points(r[i], d, s, sign, tiny, size, block)
+                contraction.partials(r[i], d, s, False, terms, block, 1, 0)
+                _points(s, sign, tiny, block)
                 _gather(s, wu[i], wv, lanes, relative, plane, block)
             _reduce(lanes, out[n])
 
