@@ -207,6 +207,16 @@ def test_infinite_designs_are_left_out_of_the_picture_and_counted():
     assert drawn.texts[0].get_text() == "3 designs; 1 with an infinite or undefined value left out"
 
 
+@pytest.mark.parametrize(("name", "said"), [("lids.gif", "ending in .png"), ("file/lids.png", "not a folder")])
+def test_a_picture_that_cannot_be_written_is_refused_before_the_work(tmp_path, name, said):
+    (tmp_path / "file").write_text("")
+    result = quintrig("sweep", CAR, "-o", tmp_path / "out", "--vary", "zeta1=0:1:3", "--plot", tmp_path / name)
+    assert result.code == 2
+    assert said in result.err
+    assert result.err.count("\n") == 1
+    assert not (tmp_path / "out").exists()
+
+
 def test_nothing_to_draw_is_a_mistake_and_writes_nothing(lids, tmp_path):
     result = quintrig("sweep", lids, "--where", "area < 0", "--plot", tmp_path / "no.png")
     assert result.code == 2

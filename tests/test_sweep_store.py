@@ -189,6 +189,25 @@ def test_another_sweep_in_the_folder_is_refused(tmp_path, other):
     assert stamps(tmp_path / "s") == before
 
 
+def test_of_two_that_begin_at_once_in_one_folder_the_second_is_refused(tmp_path, monkeypatch):
+    first, check = task(5, 4), sweep_store._check_disk
+    begun = []
+
+    def meanwhile(folder, wanted):
+        check(folder, wanted)
+        if not begun:
+            begun.append(wanted)
+            open_sweep(folder, first)
+
+    monkeypatch.setattr(sweep_store, "_check_disk", meanwhile)
+    with pytest.raises(QuintrigError, match="holds another sweep"):
+        open_sweep(tmp_path / "s", task(5, 5))
+    assert load_sweep(tmp_path / "s").task == first
+    begun.clear()
+    assert open_sweep(tmp_path / "t", first).task == first  # the same one twice is no harm
+    assert [file.name for file in (tmp_path / "t").iterdir()] == ["sweep.json"]
+
+
 def test_a_folder_with_other_files_is_refused(tmp_path):
     (tmp_path / "letter.txt").write_text("dear")
     with pytest.raises(QuintrigError, match="expected a new or empty folder"):
@@ -219,7 +238,7 @@ def test_a_folder_without_a_readable_description_is_refused(tmp_path, text, said
 def test_a_disk_that_is_too_small_is_told_before_anything_is_done(tmp_path, monkeypatch):
     usage = shutil.disk_usage(tmp_path)
     monkeypatch.setattr(shutil, "disk_usage", lambda path: usage._replace(free=100))
-    with pytest.raises(QuintrigError, match=r"20 designs need up to .* GB are free; take fewer values") as error:
+    with pytest.raises(QuintrigError, match=r"20 designs need .* kB, 100 bytes are free; take fewer") as error:
         open_sweep(tmp_path / "new" / "s", task(5, 4))
     assert "\n" not in str(error.value)
     assert not (tmp_path / "new").exists()

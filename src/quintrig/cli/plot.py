@@ -83,8 +83,10 @@ def plot(
         chosen = tuple(one.with_shape(values) for one in chosen)
     from quintrig.figure import save
     from quintrig.figure.save import kind_of
+    from quintrig.files import refuse_unwritable
 
     kind_of(output)
+    refuse_unwritable(output)
     marks = _marks(at or [])
     if view == "flat":
         figure = _flat(loaded, chosen, keys, marks, width)

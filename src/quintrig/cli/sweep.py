@@ -76,6 +76,8 @@ def sweep(
     question = Question(where, best, greatest)
     if top < 1:
         raise ValueError(f"--top: expected 1 or more, got {top}")
+    if plot is not None:
+        _check_picture(plot)
     if model.is_dir():
         if vary or output:
             raise ValueError(f"{model}: is a folder, whose sweep is asked as it is; leave out --vary and -o")
@@ -85,6 +87,15 @@ def sweep(
         question.check(found.task.space)  # before the work, not after it
         _run(found, scheduler)
     _answer(found, question, top, plot)
+
+
+def _check_picture(file: Path) -> None:
+    """Raise QuintrigError, before the work, for a picture that could not be written after it."""
+    from quintrig.figure.save import kind_of
+    from quintrig.files import refuse_unwritable
+
+    kind_of(file)
+    refuse_unwritable(file)
 
 
 def _begun(

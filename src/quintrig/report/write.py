@@ -1,6 +1,5 @@
 """The report on a model, written as one HTML file."""
 
-import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import count
@@ -12,9 +11,8 @@ from markupsafe import Markup
 
 from quintrig import __version__
 from quintrig.classify import Thresholds
-from quintrig.errors import QuintrigError
 from quintrig.exchange.toml import to_toml
-from quintrig.files import write_whole
+from quintrig.files import refuse_unwritable, write_whole
 from quintrig.model import Model
 from quintrig.quantity import QUANTITIES, quantity
 from quintrig.report import facts as known
@@ -94,13 +92,7 @@ def _steps(progress: Progress | None, total: int) -> Callable[[str], None]:
 def _target(out: Path) -> Path:
     """Return the file to write; QuintrigError where it is plain before all the work that it cannot be written."""
     target = out if out.suffix.lower() in (".html", ".htm") else out / "index.html"
-    if target.is_dir():
-        raise QuintrigError(f"{target}: expected the name of a page to write, found a folder; choose another name")
-    parent = next(folder for folder in (target.absolute()).parents if folder.exists())
-    if not parent.is_dir():
-        raise QuintrigError(f"{target}: cannot be written ({parent} is a file, not a folder); choose another place")
-    if not os.access(parent, os.W_OK):
-        raise QuintrigError(f"{target}: cannot be written ({parent} is read-only); choose another place or free it")
+    refuse_unwritable(target)
     return target
 
 

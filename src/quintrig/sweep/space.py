@@ -103,7 +103,7 @@ class DesignSpace:
             )
         if self.count > LARGEST_SPACE:
             raise ValueError(
-                f"--vary: {self.count:.3g} designs are more than {LARGEST_SPACE:.0e}; take fewer values, or a sample "
+                f"--vary: {self.count:,} designs are more than {LARGEST_SPACE:,}; take fewer values, or a sample "
                 "by --sampling sobol --samples N"
             )
 

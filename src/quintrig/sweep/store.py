@@ -1,7 +1,6 @@
 """A sweep on disk: a folder with a description and one Parquet file a part, each written whole and never twice."""
 
 import json
-import os
 import shutil
 import time
 from contextlib import suppress
@@ -14,7 +13,7 @@ import numpy as np
 from quintrig.arrays import FloatArray
 from quintrig.classify import Thresholds
 from quintrig.errors import QuintrigError
-from quintrig.files import require, write_whole
+from quintrig.files import refuse_unwritable, require, write_first, write_whole
 from quintrig.integrate import orientation
 from quintrig.sweep.part import Task, column_unit, columns
 from quintrig.sweep.space import DesignSpace
@@ -101,9 +100,10 @@ def open_sweep(folder: Path, task: Task) -> Sweep:
         return Sweep(folder, task)
     if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
         raise QuintrigError(f"{folder}: expected a new or empty folder, or one with a sweep; choose another")
+    refuse_unwritable(folder / _DESCRIPTION)
     _check_disk(folder, task)
-    write_whole(folder / _DESCRIPTION, description)
-    return Sweep(folder, task)
+    # Of two that begin in one folder at the same moment, the second finds what the first has written.
+    return Sweep(folder, task) if write_first(folder / _DESCRIPTION, description) else open_sweep(folder, task)
 
 
 def load_sweep(folder: Path) -> Sweep:
@@ -145,8 +145,12 @@ def _check_disk(folder: Path, task: Task) -> None:
     free = shutil.disk_usage(place).free
     if needed > free:
         raise QuintrigError(
-            f"{folder}: {task.space.count:,} designs need up to {needed / 1e9:.1f} GB, {free / 1e9:.1f} GB are free; "
+            f"{folder}: {task.space.count:,} designs need up to {_size(needed)}, {_size(free)} are free; "
             "take fewer values or another disk"
         )
-    if not os.access(place, os.W_OK):
-        raise QuintrigError(f"{folder}: cannot be written (no permission in {place}); choose another place")
+
+
+def _size(count: int) -> str:
+    """Return a number of bytes in words."""
+    power = max((p for p in (0, 3, 6, 9) if count >= 10**p), default=0)
+    return f"{count / 10**power:.3g} {('bytes', 'kB', 'MB', 'GB')[power // 3]}"
