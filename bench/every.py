@@ -18,18 +18,20 @@ VECTORS = ("point", "normal", "direction1", "direction2")
 CODES = ("point_type", "hk_type", "shape_class", "invariant_type")
 
 
-def every_quantity(net, u, v, shape, height, size):
-    """Return all quantities on a grid in fresh arrays, vectors with the coordinate first."""
-    nu, nv = len(u), len(v)
-    out = {
+def fresh(nu, nv):
+    """Return an array for each quantity, vectors with the coordinate first."""
+    return {
         key: np.empty((3, nu, nv)) if key in VECTORS else np.empty((nu, nv), np.int8 if key in CODES else np.float64)
         for key in KEYS
     }
+
+
+def every_quantity(net, u, v, shape, height, size, out):
+    """Fill ``out`` with all quantities on a grid."""
     thresholds = Thresholds()
     for start, partials in mixed_partials(net, u, v, shape, height, point=True):
         part = slice(start, start + partials[0].shape[1])
         _fill({key: array[..., part, :] for key, array in out.items()}, partials, thresholds, size)
-    return out
 
 
 def _fill(out, partials, thresholds, size):

@@ -58,24 +58,42 @@ def all_quantities(count: int, rounds: int) -> None:
     surface = quintrig.tensor(wavy_net(), SHAPE)
     net, (u, v) = wavy_net(), quintrig.grid(count, count)
 
-    def blocks(height):
-        return every.every_quantity(net, u[:, 0], v[0], SHAPE, height, surface.size)
+    theirs, mine = every.fresh(count, count), quintrig.analyse(surface, u, v, every.KEYS)
 
-    best = fastest({height: lambda height=height: blocks(height) for height in (2, 4, 8, 16)})
-    rival, own = f"NumPy in blocks of {best} rows", "quintrig"
+    def blocks(height, out=theirs):
+        every.every_quantity(net, u[:, 0], v[0], SHAPE, height, surface.size, out)
+
+    def own(threads, out=None):
+        quintrig.analyse(surface, u, v, every.KEYS, threads=threads, out=out)
+
+    best = fastest({height: lambda height=height: blocks(height) for height in (2, 4, 8, 16, 32)})
+    rivals_fresh = f"NumPy in blocks of {best} rows, fresh arrays"
+    rivals_into = f"NumPy in blocks of {best} rows, arrays handed in"
+    into, two = "quintrig, arrays handed in", "quintrig, arrays handed in, two threads"
     times = race(
         {
-            rival: lambda: blocks(best),
-            own: lambda: quintrig.analyse(surface, u, v, every.KEYS, threads=1),
-            "quintrig, two threads": lambda: quintrig.analyse(surface, u, v, every.KEYS, threads=2),
+            rivals_into: lambda: blocks(best),
+            rivals_fresh: lambda: blocks(best, every.fresh(count, count)),
+            "fresh arrays filled with ones, nothing else": lambda: touched(count),
+            "quintrig, fresh arrays": lambda: own(1),
+            into: lambda: own(1, mine.values),
+            two: lambda: own(2, mine.values),
         },
         rounds,
     )
     print(
         "Point, normal, K, H, κ1, κ2, both directions, S, C, four classifications and six invariants (28 numbers a "
-        f"point) on a {count} x {count} grid, fresh arrays\n"
+        f"point) on a {count} x {count} grid; fresh against fresh, handed in against handed in\n"
     )
-    table(HEAD, compared(times, count * count, {own: rival, "quintrig, two threads": rival}))
+    against = {"quintrig, fresh arrays": rivals_fresh, into: rivals_into, two: rivals_into}
+    table(HEAD, compared(times, count * count, against))
+    print(f"Two threads against one: {short(times[into].median / times[two].median)} times as fast.\n")
+
+
+def touched(count: int) -> None:
+    """Fill as many fresh arrays: the least that any way into fresh arrays can take."""
+    for array in every.fresh(count, count).values():
+        array.fill(1)
 
 
 def points(count: int, rounds: int) -> None:
