@@ -145,6 +145,41 @@ def test_it_opens_without_complaint_and_asks_nobody_else(context, served, size):
     assert shown > 400
 
 
+@pytest.mark.parametrize("theme", ["light", "dark"])
+@pytest.mark.parametrize("size", [(420, 860), (900, 700)])
+def test_everything_is_within_reach_on_a_small_screen(context, served, size, theme):
+    page = opened(context, served.site.address)
+    page.set_viewport_size({"width": size[0], "height": size[1]})
+    if theme == "dark":
+        page.get_by_role("button", name="Light or dark").click()
+    page.wait_for_timeout(200)
+    kept(page, f"small-{size[0]}-{theme}")
+    outside = page.evaluate(
+        """() => [...document.querySelector('[data-quintrig]').shadowRoot
+          .querySelectorAll('.bar button, .view-tools button')]
+        .filter((e) => e.checkVisibility() && !e.closest('[hidden]'))
+        .filter((e) => { const b = e.getBoundingClientRect(); return b.right > innerWidth + 1 || b.left < -1; })
+        .map((e) => e.textContent || e.title)"""
+    )
+    assert outside == []
+    # The whole surface is in the picture after the window has changed.
+    inside = page.evaluate(
+        """() => { const s = document.querySelector('[data-quintrig]').studio, c = s.stage.cells[0];
+        const x = c.pieces[0].mesh.position, box = s.canvas.getBoundingClientRect();
+        for (let i = 0; i < x.length; i += 300) {
+          const p = s.stage.project(0, [x[i], x[i + 1], x[i + 2]]);
+          if (p.x < 0 || p.y < 0 || p.x > box.width || p.y > box.height) return false;
+        }
+        return true; }"""
+    )
+    assert inside
+    assert not page.get_by_label("Unit of length").is_visible()
+    page.get_by_role("button", name="Construction and control points").click()
+    page.get_by_label("Unit of length").select_option("cm")
+    assert state(page, "model.unit") == "cm"
+    kept(page, f"small-{size[0]}-{theme}-panel")
+
+
 def test_a_slider_is_moved_undone_and_redone(context, served):
     page = opened(context, served.site.address)
     before = shape_of(page)
@@ -355,6 +390,45 @@ def test_a_plane_of_a_developable_is_dragged_along_its_normal(context, served):
     assert after[2][:3] == before[2][:3]
     assert after[2][3] != before[2][3]
     assert [after[i] for i in (0, 1, 3, 4, 5)] == [before[i] for i in (0, 1, 3, 4, 5)]
+
+
+def test_every_construction_is_edited_by_dragging(context, served):
+    page = opened(context, served.site.address)
+    kinds = page.get_by_label("Construction", exact=True).locator("optgroup[label=Constructions] option")
+    dragged = {}
+    for kind in [*kinds.evaluate_all("(options) => options.map((o) => o.value)"), "nurbs"]:
+        page.get_by_label("Construction", exact=True).select_option(kind)
+        page.evaluate(DRAW)
+        handles = page.evaluate(
+            "document.querySelector('[data-quintrig]').studio.model.list.map((h) => [h.key, h.id, h.index])"
+        )
+        for key in dict.fromkeys(key for key, _, _ in handles):
+            mine = [(identity, index) for one, identity, index in handles if one == key]
+            identity, index = mine[len(mine) // 2]
+            before = state(page, "model.patches[0]")
+            page.locator("canvas.view").focus()
+            page.keyboard.press("1")
+            page.wait_for_timeout(350)
+            at = page.evaluate("(id) => document.querySelector('[data-quintrig]').studio.locate(id)", identity)
+            page.mouse.move(at["x"], at["y"])
+            page.mouse.down()
+            page.mouse.move(at["x"] + 6, at["y"] - 14, steps=3)
+            page.mouse.move(at["x"] + 12, at["y"] - 28, steps=3)
+            page.mouse.up()
+            after = state(page, "model.patches[0]")
+            assert state(page, "selected") == identity, kind  # nothing lies in front of it
+            changed = np.argwhere((np.array(after[key]) != np.array(before[key])).any(axis=-1)).tolist()
+            assert changed == [index], (kind, key)
+            assert {name for name in after if after[name] != before[name]} == {key}
+            dragged.setdefault(kind, []).append(key)
+            page.keyboard.press("Control+z")
+            assert state(page, "model.patches[0]") == before
+            page.keyboard.press("Escape")
+    assert dragged == {
+        "tensor": ["points"], "symmetric": ["points"], "swept": ["section", "trajectory"],
+        "swung": ["profile", "trajectory"], "ruled": ["first", "second"], "developable": ["planes", "bounds"],
+        "nurbs": ["points"],
+    }  # fmt: skip
 
 
 def test_the_image_of_a_symmetric_net_moves_its_source(context, served):
@@ -740,6 +814,15 @@ def test_without_webgl_there_are_still_pictures(browser, served):
     with browser.browser_type.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--disable-3d-apis"]) as chromium:
         page = opened(chromium.new_context(viewport={"width": 1280, "height": 720}), served.site.address)
         page.get_by_text("has no WebGL").wait_for()
+        page.evaluate(DRAW)
+        at = page.evaluate("document.querySelector('[data-quintrig]').studio.locate('section[1]')")
+        colour = page.evaluate(
+            """(at) => { const c = document.querySelector('[data-quintrig]').studio.stage.canvas;
+            const b = c.getBoundingClientRect();
+            return Array.from(c.getContext('2d').getImageData(at.x - b.x, at.y - b.y, 1, 1).data); }""",
+            at,
+        )
+        assert colour[2] > 150 > 80 > colour[0]  # the blue control point is painted where it can be taken hold of
         kept(page, "no-webgl")
         page.get_by_label("alpha 1, number").fill("-2")
         page.keyboard.press("Enter")

@@ -74,7 +74,7 @@ export class Studio {
     this.stage = new Stage(this.canvas);
     this.painter = new Painter(this.stage, (message) => this.status.warn(message));
     this.files = new Files(store, host, () => this.root, (choice) => this.picture(choice), () => [this.centre.clientWidth, this.centre.clientHeight]);
-    this.bar = new TopBar(store, this.files, () => this.switchTheme(), () => void showHelp(this.root), host.kind !== "live");
+    this.bar = new TopBar(store, this.files, () => this.switchTheme(), () => void showHelp(this.root), () => this.root.classList.toggle("with-left"), host.kind !== "live");
     this.model = new ModelPanel(store);
     this.inspector = new Inspector(store);
     this.probe = new ProbePanel(store, () => this.plan());
@@ -157,7 +157,7 @@ export class Studio {
     const { meshes } = this.painter;
     const q = QUANTITY[settings.quantity];
     this.range = q && q.colour !== "classes" ? rangeOf(meshes, q, settings) : null;
-    if (!q) this.legend.plain();
+    if (!q) this.legend.plain(settings.stripes !== "none");
     else if (this.range) this.legend.real(q.key, this.range, state.model.unit, this.dark);
     else this.legend.classes(q.key, meshes.map((mesh) => mesh.values));
     this.stage.style(settings, this.range, this.dark, this.frame, state.patch);
@@ -206,6 +206,8 @@ export class Studio {
     const { clientWidth: width, clientHeight: height } = this.centre;
     if (!width || !height) return;
     this.stage.resize(width, height, Math.min(2, devicePixelRatio || 1));
+    // A view that nobody has moved stays fitted.
+    this.fitAfter ||= !this.stage.orbit.moved;
     this.plan(true);
   }
 

@@ -80,7 +80,7 @@ const KEYS: readonly (readonly [string, string])[] = [
 
 export const showHelp = (root: HTMLElement): Promise<string | null> =>
   ask(root, "Keys and pointer", [
-    h("p", {}, "Drag to turn, with Shift or the right button to pan, wheel to zoom. Drag a control point to move it. Click the surface to pin a point."),
+    h("p", {}, "Drag to turn, with Shift or the right button to pan, wheel to zoom; on a screen to touch, two fingers pan and zoom. Drag a control point to move it. Click the surface to pin a point."),
     h("dl", { class: "keys-list" }, ...KEYS.flatMap(([keys, what]) => [h("dt", {}, keys), h("dd", {}, what)])),
     h("p", { class: "hint" }, "Grey is where a quantity has no value. The signs of H, κ1, κ2 and S follow the normal; the bar at the bottom says which way it points."),
   ], [["close", "Close"]]);

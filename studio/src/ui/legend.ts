@@ -16,6 +16,7 @@ export class Legend {
 
   /** Show a real quantity's scale. */
   real(key: string, range: Range, unit: string, dark: boolean): void {
+    this.element.hidden = false;
     const q = QUANTITY[key]!;
     const power = exponent(Math.max(Math.abs(range.low), Math.abs(range.high)));
     if (this.shown !== `${key} ${unit} ${power}`) {
@@ -49,6 +50,7 @@ export class Legend {
   /** Show the types that occur, with their share of the points. */
   classes(key: string, values: readonly Float32Array[]): void {
     this.shown = "";
+    this.element.hidden = false;
     const q = QUANTITY[key]!, colours = classColours(key), counts = new Array<number>(colours.length).fill(0);
     let total = 0;
     for (const array of values) {
@@ -63,8 +65,9 @@ export class Legend {
     );
   }
 
-  /** No quantity: the two sides. */
-  plain(): void {
+  /** No quantity: the two sides, where their colours are seen. */
+  plain(stripes: boolean): void {
+    this.element.hidden = stripes;
     if (this.shown === "plain") return;
     this.shown = "plain";
     this.element.replaceChildren(h("ul", { class: "types" },

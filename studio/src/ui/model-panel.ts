@@ -2,7 +2,7 @@
 
 import { activePatch, starterOf, type State, type Store } from "../app/state";
 import { handles, moved, replaced, type Handle } from "../edit/handles";
-import { build, KINDS, UNITS, valueOf, type Patch } from "../numerics/model";
+import { build, KINDS, UNITS, valueOf, type Kind, type Patch } from "../numerics/model";
 import { choice, numberField, section, segmented, toggle, type Control } from "./controls";
 import { h } from "./dom";
 import { capital } from "./format";
@@ -26,8 +26,9 @@ export class ModelPanel {
 
   constructor(private readonly store: Store) {
     const groups = [
-      { label: "Constructions", options: kinds(true) },
-      { label: "Closed forms", options: kinds(false) },
+      { label: "Constructions", options: kinds((kind) => kind.construction) },
+      { label: "Closed forms", options: kinds((kind) => !kind.construction && !kind.fields["points"]) },
+      { label: "From CAD", options: kinds((kind) => !kind.construction && !!kind.fields["points"]) },
     ];
     this.kind = choice("Construction", groups, (kind) => this.become(kind));
     this.unit = choice("Unit of length", [{ label: "", options: [{ value: "", label: "no unit" }, ...UNITS.map((u) => ({ value: u, label: u }))] }], (unit) => store.edit({ ...store.state.model, unit }));
@@ -164,6 +165,6 @@ export function nudge(store: Store, by: readonly number[]): void {
   if (handle) store.editPatch(moved(patch, handle, handle.position.map((x, i) => x + by[i]!)), `nudge ${handle.id}`);
 }
 
-const kinds = (construction: boolean) =>
-  Object.entries(KINDS).filter(([, kind]) => kind.construction === construction)
-    .map(([value]) => ({ value, label: capital(value.replaceAll("_", " ")) }));
+const kinds = (test: (kind: Kind) => boolean) =>
+  Object.entries(KINDS).filter(([, kind]) => test(kind))
+    .map(([value]) => ({ value, label: value === "nurbs" ? "NURBS" : capital(value.replaceAll("_", " ")) }));

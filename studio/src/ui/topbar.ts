@@ -15,7 +15,7 @@ export class TopBar {
   private readonly redo: HTMLButtonElement;
   private readonly compare: Control<Compare>;
 
-  constructor(store: Store, files: Files, theme: () => void, help: () => void, embedded: boolean) {
+  constructor(store: Store, files: Files, theme: () => void, help: () => void, panel: () => void, embedded: boolean) {
     this.name = h("input", { class: "name", "aria-label": "Name of the model", spellcheck: "false", maxlength: 200 });
     this.name.addEventListener("change", () => {
       const name = this.name.value.trim();
@@ -41,16 +41,17 @@ export class TopBar {
       store.set({ kept: [...kept.slice(-4), { label: `kept ${kept.length + 1}`, model }], compare: "kept" });
     }, "button quiet");
     this.element = h("header", { class: "bar" },
-      embedded ? null : h("span", { class: "brand", title: "quintrig" }, mark(), "quintrig"),
+      embedded ? null : h("span", { class: "brand", title: "quintrig" }, mark(), h("span", {}, "quintrig")),
+      button(icon(ICONS.side), "Construction and control points", panel, "button square drawer"),
       this.name, this.dirty,
       h("div", { class: "group" },
         menu(h("span", {}, "Models", icon(ICONS.down)), "Presets and starters", models),
-        menu(h("span", {}, icon(ICONS.open), "Open", icon(ICONS.down)), "Open a model", () => files.openItems()),
-        menu(h("span", {}, icon(ICONS.save), "Save", icon(ICONS.down)), "Save the model", () => files.saveItems())),
+        menu(h("span", {}, icon(ICONS.open), h("span", { class: "word" }, "Open"), icon(ICONS.down)), "Open a model", () => files.openItems()),
+        menu(h("span", {}, icon(ICONS.save), h("span", { class: "word" }, "Save"), icon(ICONS.down)), "Save the model", () => files.saveItems())),
       h("div", { class: "group tight" }, this.undo, this.redo),
       h("div", { class: "group tight" }, this.compare.element, keep),
       h("span", { class: "spacer" }),
-      h("div", { class: "group tight" },
+      h("div", { class: "group tight last" },
         button(icon(ICONS.picture), "Save a picture", () => void files.picture(), "button square"),
         menu(icon(ICONS.export), "Export", () => files.exportItems(), "button square"),
         button(icon(ICONS.sun), "Light or dark", theme, "button square theme"),

@@ -36,6 +36,8 @@ export class Orbit {
   span = 1.1;
   readonly target = new Vector3();
   projection: Projection = "perspective";
+  /** Whether it was turned, panned or zoomed by hand since it last went to a view. */
+  moved = false;
   private readonly perspective = new PerspectiveCamera((2 * HALF_FIELD) / RADIANS, 1, 0.01, 100);
   private readonly orthographic = new OrthographicCamera();
   private goal: { azimuth: number; elevation: number; span: number; target: Vector3; start: number } | null = null;
@@ -75,6 +77,7 @@ export class Orbit {
 
   turn(dx: number, dy: number): void {
     this.goal = null;
+    this.moved = true;
     this.azimuth -= dx * 0.35;
     this.elevation = Math.max(-90, Math.min(90, this.elevation + dy * 0.35));
   }
@@ -82,6 +85,7 @@ export class Orbit {
   /** Move the target by a share of the height of a viewport of this shape. */
   pan(dx: number, dy: number, aspect = 1): void {
     this.goal = null;
+    this.moved = true;
     const { right, up } = this.axes(), height = (2 * this.span) / Math.min(1, aspect);
     this.target.addScaledVector(right, -dx * height).addScaledVector(up, dy * height);
   }
@@ -97,6 +101,7 @@ export class Orbit {
 
   /** Glide to a view; `still` (reduced motion) jumps. */
   go(azimuth: number, elevation: number, span: number, target: Vector3, still: boolean): void {
+    this.moved = false;
     if (still) {
       this.azimuth = azimuth;
       this.elevation = elevation;

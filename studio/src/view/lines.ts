@@ -47,7 +47,7 @@ export class Lines {
   private count = 0;
   private geometry: InstancedBufferGeometry;
 
-  constructor(colour: string, width: number, opacity = 1, onTop = false) {
+  constructor(colour: string, private readonly width: number, opacity = 1, onTop = false) {
     const c = new Color().setStyle(colour, "srgb-linear");
     this.material = new ShaderMaterial({
       glslVersion: GLSL3, vertexShader: VERTEX, fragmentShader: FRAGMENT, transparent: true, depthWrite: false, depthTest: !onTop,
@@ -72,6 +72,12 @@ export class Lines {
   resize(width: number, height: number, ratio: number, lineWidth: number): void {
     (this.material.uniforms["viewport"]!.value as Vector2).set(0.5 * width, 0.5 * height);
     this.material.uniforms["width"]!.value = lineWidth * ratio;
+  }
+
+  /** What is drawn, for a picture without WebGL: x, y, z of both ends of each segment, and how. */
+  get drawn(): { ends: Float32Array; colour: string; width: number; opacity: number } {
+    const { x, y, z, w } = this.material.uniforms["colour"]!.value as Vector4;
+    return { ends: this.data.subarray(0, 6 * this.count), colour: `rgb(${[x, y, z].map((c) => Math.round(255 * c)).join(" ")})`, width: this.width, opacity: w };
   }
 
   begin(): void {
@@ -171,6 +177,12 @@ export class Points {
 
   resize(ratio: number): void {
     this.material.uniforms["size"]!.value = 11 * ratio;
+  }
+
+  /** What is drawn, for a picture without WebGL: places, and colours with kinds. */
+  get drawn(): { places: ArrayLike<number>; tints: ArrayLike<number> } {
+    const numbers = (name: string) => this.geometry.getAttribute(name)?.array ?? [];
+    return { places: numbers("position"), tints: numbers("tint") };
   }
 
   /** Place points (x, y, z) with colours (r, g, b, kind): kind 1 plain, 2 selected, 0.5 hollow. */

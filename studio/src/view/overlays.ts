@@ -66,6 +66,11 @@ export class Overlays {
     this.grips.fill([], []);
   }
 
+  /** All lines and points, for a picture without WebGL. */
+  get drawn() {
+    return { lines: LINES.map((name) => this.lines[name].drawn), points: [this.points.drawn, this.grips.drawn] };
+  }
+
   resize(width: number, height: number, ratio: number): void {
     for (const name of LINES) this.lines[name].resize(width, height, ratio, STYLE[name].width);
     this.points.resize(ratio);

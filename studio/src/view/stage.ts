@@ -148,7 +148,7 @@ export class Stage {
         piece.overlays.resize(cell.width * this.ratio, cell.height * this.ratio, this.ratio);
       });
     }
-    this.orbit.projection = settings.projection;
+    this.orbit.projection = this.works ? settings.projection : "orthographic"; // as still pictures are painted
   }
 
   draw(): void {
@@ -230,8 +230,11 @@ export class Stage {
     trial.projection = this.orbit.projection;
     const { right, up } = trial.axes(), aspect = cell.width / cell.height;
     // The free part of the picture, in device coordinates: above the view buttons and left of the legend.
-    const end = 1 - (2 * (this.cells.length > 1 ? 24 : margin + 24)) / cell.width, low = -1 + (2 * (this.cells.length > 1 ? 20 : 62)) / cell.height;
-    const start = -1 + 48 / cell.width, high = 1 - 48 / cell.height;
+    const many = this.cells.length > 1, rim = cell.width < 300 ? 10 : 24;
+    // Where there is no room beside the legend, the surface is let stand under it.
+    const below = !many && margin > 0.3 * cell.width;
+    const end = 1 - (2 * (many || below ? rim : margin + rim)) / cell.width, low = -1 + (2 * (many ? rim : 62)) / cell.height;
+    const start = -1 + (2 * rim) / cell.width, high = 1 - (2 * (below ? Math.min(0.3 * cell.height, 150) : many ? rim + 22 : rim)) / cell.height;
     const p = new Vector3();
     for (let round = 0; round < 6; round++) {
       const camera = trial.camera(aspect);

@@ -3,6 +3,7 @@
 import { QUANTITY } from "../numerics/quantity";
 import { BACK, classColours, css, mapColours, UNDEFINED, type Rgb } from "../ui/colours";
 import type { Orbit } from "./camera";
+import type { Overlays } from "./overlays";
 import type { Range } from "./range";
 import type { Cell } from "./stage";
 
@@ -58,6 +59,39 @@ export function paintStill(canvas: HTMLCanvasElement, cells: readonly Cell[], or
       context.fill();
       context.stroke();
     }
+    for (const { overlays } of cell.pieces) paintOver(context, overlays, (x, y, z) => {
+      const d = [x - orbit.target.x, y - orbit.target.y, z - orbit.target.z] as const;
+      const along = (a: { x: number; y: number; z: number }) => d[0] * a.x + d[1] * a.y + d[2] * a.z;
+      return [cell.x + cell.width / 2 + scale * along(right), cell.y + cell.height / 2 - scale * along(up)];
+    });
     context.restore();
+  }
+}
+
+/** Lines and points over a surface; nothing hides them. */
+function paintOver(context: CanvasRenderingContext2D, overlays: Overlays, flat: (x: number, y: number, z: number) => readonly [number, number]): void {
+  const { lines, points } = overlays.drawn;
+  for (const { ends, colour, width, opacity } of lines) {
+    context.strokeStyle = colour;
+    context.lineWidth = width;
+    context.globalAlpha = opacity;
+    context.beginPath();
+    for (let at = 0; at < ends.length; at += 6) {
+      context.moveTo(...flat(ends[at]!, ends[at + 1]!, ends[at + 2]!));
+      context.lineTo(...flat(ends[at + 3]!, ends[at + 4]!, ends[at + 5]!));
+    }
+    context.stroke();
+  }
+  context.globalAlpha = 1;
+  context.lineWidth = 1.5;
+  context.strokeStyle = "#ffffff";
+  for (const { places, tints } of points) {
+    for (let i = 0; 3 * i < places.length; i++) {
+      context.fillStyle = css([0, 1, 2].map((c) => Math.round(255 * tints[4 * i + c]!)) as unknown as Rgb);
+      context.beginPath();
+      context.arc(...flat(places[3 * i]!, places[3 * i + 1]!, places[3 * i + 2]!), tints[4 * i + 3]! > 1.5 ? 6 : 4, 0, 7);
+      context.fill();
+      context.stroke();
+    }
   }
 }
