@@ -229,3 +229,14 @@ def test_digits_are_lost_in_proportion_to_the_distance_from_the_origin(kind, dis
             worst = max(worst, float(abs(oracle.number(sample["mean"][k]) - exact["mean"])) / curved)
             worst = max(worst, float(abs(oracle.number(sample["gaussian"][k]) - exact["gaussian"])) / curved**2)
     assert worst <= 1e-13 + 1e-14 * distance
+
+
+def test_curvature_does_not_see_where_the_origin_is():
+    net = np.round(64 * plain_net(np.random.default_rng(11), 8.0)) / 64  # so that moving it far away is exact
+    u, v = np.random.default_rng(12).random((2, 40))
+    at_home, away = (
+        quintrig.analyse(quintrig.tensor(net + shift, (1.0, -3.5, -4.0, 0.0)), u, v)
+        for shift in (0.0, [2.0**30, -(2.0**28), 2.0**31])
+    )
+    for key in ("E", "F", "G", "L", "M", "N", "normal", "gaussian", "mean", "k1", "k2", "shape_index", "gamma1"):
+        np.testing.assert_array_equal(away[key], at_home[key], err_msg=key)
