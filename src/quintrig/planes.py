@@ -18,7 +18,7 @@ from quintrig import classify, curvature, invariants
 from quintrig.arrays import FloatArray
 from quintrig.blocks import BLOCK
 from quintrig.compiled import codes_at, floats_at, loop, scalar, stream_line
-from quintrig.contraction import DU, DUU, DUV, DV, DVV
+from quintrig.contraction import DU, DUU, DUV, DV, DVV, PARTIALS
 from quintrig.curvature import Three
 from quintrig.quantity import QUANTITIES
 
@@ -68,9 +68,8 @@ KH, FORM, FULL = range(3)
 _OF_FORM = {"gaussian", "mean", "k1", "k2", "curvedness", "shape_index", "point_type", "hk_type", "shape_class"}
 
 # Scratch rows after the partial derivatives, neighbours in the order of their planes
-_K, _H, _K1, _K2, _S, _CURVED, _A, _B, _C, _R, _CODE = range(18, 29)
-_N, _E1, _E2 = 29, 32, 35
-SCRATCH_ROWS = 38
+_K, _H, _K1, _K2, _S, _CURVED, _A, _B, _C, _R, _CODE = range(PARTIALS, PARTIALS + 11)
+_N, _E1, _E2, SCRATCH_ROWS = range(_CODE + 1, _CODE + 11, 3)
 # The partial derivatives' rows are free again once the frame is known.
 _OUT = DU
 
@@ -91,12 +90,7 @@ def gaussian_and_mean(s: FloatArray, n: int, offset: int, at: Settings, floats: 
     gaussian = floats_at(first + 8 * offset if first else scratch + 8 * _K * BLOCK)
     mean = floats_at(second + 8 * offset if second else scratch + 8 * _H * BLOCK)
     for k in range(n):
-        du, dv = _three(s, DU, k), _three(s, DV, k)
-        normal = curvature.cross(du, dv)
-        inverse = curvature.inverse_area(normal, at.tiny)
-        a, b, c = curvature.form_in_frame(
-            du, dv, _three(s, DUU, k), _three(s, DUV, k), _three(s, DVV, k), normal, inverse, at.sign
-        )
+        _, _, (a, b, c) = _form(s, k, at)
         gaussian[k] = curvature.gaussian(a, b, c)
         mean[k] = curvature.mean(a, c)
 
@@ -135,16 +129,21 @@ def fill(s: FloatArray, n: int, offset: int, full: bool, at: Settings, floats: A
         _frame_planes(s, n, offset, at, floats, codes)
 
 
+@scalar
+def _form(s: FloatArray, k: int, at: Settings) -> tuple[Three, float, Three]:
+    """Return S_u x S_v, 1/W and a, b, c of point k."""
+    du, dv = _three(s, DU, k), _three(s, DV, k)
+    normal = curvature.cross(du, dv)
+    inverse = curvature.inverse_area(normal, at.tiny)
+    duu, duv, dvv = _three(s, DUU, k), _three(s, DUV, k), _three(s, DVV, k)
+    return normal, inverse, curvature.form_in_frame(du, dv, duu, duv, dvv, normal, inverse, at.sign)
+
+
 @loop
 def _forms(s: FloatArray, full: bool, at: Settings) -> None:
     """Fill the scratch rows that follow from the partial derivatives; normal and frame only if ``full``."""
     for k in range(BLOCK):
-        du, dv = _three(s, DU, k), _three(s, DV, k)
-        normal = curvature.cross(du, dv)
-        inverse = curvature.inverse_area(normal, at.tiny)
-        a, b, c = curvature.form_in_frame(
-            du, dv, _three(s, DUU, k), _three(s, DUV, k), _three(s, DVV, k), normal, inverse, at.sign
-        )
+        normal, inverse, (a, b, c) = _form(s, k, at)
         mean, radius = curvature.mean(a, c), curvature.radius(a, b, c)
         s[_A * BLOCK + k] = a
         s[_B * BLOCK + k] = b
@@ -156,7 +155,8 @@ def _forms(s: FloatArray, full: bool, at: Settings) -> None:
         s[_K2 * BLOCK + k] = mean - radius
         s[_CURVED * BLOCK + k] = np.sqrt(mean * mean + radius * radius)
         if full:
-            side, along = at.sign * inverse, 1.0 / np.sqrt(curvature.dot(du, du))
+            du, side = _three(s, DU, k), at.sign * inverse
+            along = 1.0 / np.sqrt(curvature.dot(du, du))
             n = normal[0] * side, normal[1] * side, normal[2] * side
             e1 = du[0] * along, du[1] * along, du[2] * along
             e2 = curvature.cross(n, e1)
