@@ -9,6 +9,7 @@ import quintrig
 from catalogue import SHAPES, SURFACES, wave
 from closeness import natural, off, sound
 from quintrig import Thresholds
+from quintrig.basis import Bernstein
 from quintrig.quantity import BY_KEY, CLASSES, QUANTITIES, SCALARS
 
 NAMES = ("tensor (0.5, -1.5, -3.25, 0.9)", "ruled (0.0, 0.0, 0.0, 0.0)", "developable oblique", "nurbs", "torus")
@@ -179,6 +180,26 @@ def test_singular_points_are_told_whatever_was_asked_for():
 
 
 # ---------------------------------------------------------------------------------------------- threads
+
+
+class Failing:
+    """Rows that cannot be evaluated beyond the first points."""
+
+    size, dimension = 30, 3
+
+    def derivatives(self, u, order):
+        u = np.asarray(u)
+        if ((u > 0.99) & (u < 0.999)).any():  # none of the few points that the size is taken from
+            raise MemoryError("no room")
+        return np.zeros((order + 1, *u.shape, self.size, 3))
+
+
+@pytest.mark.parametrize("threads", [1, 2, 3])
+def test_a_failure_in_any_thread_is_told(threads):
+    surface = quintrig.Surface(Failing(), Bernstein(29))
+    u = np.linspace(0, 1, 100_000)
+    with pytest.raises(MemoryError, match="no room"):
+        quintrig.analyse(surface, u, u, "mean", threads=threads)
 
 
 @every_name

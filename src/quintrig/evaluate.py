@@ -2,8 +2,8 @@
 
 import os
 from collections.abc import Callable, Iterable
-from concurrent.futures import ThreadPoolExecutor
 from itertools import pairwise
+from threading import Thread
 from typing import Any, TypeVar
 
 import numpy as np
@@ -20,6 +20,7 @@ from quintrig.surface import Net, Surface
 Planes = dict[str, NDArray[Any]]
 """Output arrays by key of the quantity, each (components, rows, columns)."""
 
+_WORTH = 2**17  # points a thread
 _FEW, _CACHES = 8, 2**23  # planes and bytes
 _PIECE = 16384  # scattered points whose derivatives are held at once, so that memory stays with the outputs
 _WIDEST = 24  # rows or functions over which a driver unrolls; beyond, the partials themselves are handed in
@@ -31,7 +32,7 @@ _Piece = TypeVar("_Piece")
 def workers(threads: int | None, points: int) -> int:
     """Return how many threads to use: ``threads``, or by default what the machine has and the work is worth."""
     if threads is None:
-        return max(1, min(os.cpu_count() or 1, points // 32768))
+        return max(1, min(os.cpu_count() or 1, points // _WORTH))
     return whole(threads, "threads", 1)
 
 
@@ -138,19 +139,24 @@ def _flat(blocks: FloatArray) -> FloatArray:
 def _spread(part: Callable[[_Piece], None], pieces: Iterable[_Piece], threads: int) -> None:
     """Run ``part`` on every piece; the drivers release the interpreter, so threads run side by side.
 
-    The calling thread works too: it need not be woken, which takes as long as a hundred thousand points.
+    The calling thread works too, so nothing waits for a thread to wake. (Plain threads: a pool takes longer to start
+    and stop than K and H of fifty thousand points.)
     """
     queue = iter(pieces)
+    failures: list[BaseException] = []
 
     def work() -> None:
-        for piece in queue:
-            part(piece)
+        try:
+            for piece in queue:
+                part(piece)
+        except BaseException as failure:
+            failures.append(failure)
 
-    if threads == 1:
-        work()
-        return
-    with ThreadPoolExecutor(threads - 1) as pool:
-        others = [pool.submit(work) for _ in range(threads - 1)]
-        work()
-        for other in others:
-            other.result()
+    others = [Thread(target=work) for _ in range(threads - 1)]
+    for other in others:
+        other.start()
+    work()
+    for other in others:
+        other.join()
+    if failures:
+        raise failures[0]
