@@ -1,6 +1,7 @@
 """The report page: complete, self-contained, safe with any name, and written whole or not at all."""
 
 import base64
+import hashlib
 import io
 import json
 import math
@@ -14,12 +15,14 @@ import numpy as np
 import pytest
 from PIL import Image as Picture
 
+from quintrig import summary
 from quintrig.definition import KINDS
 from quintrig.errors import QuintrigError
-from quintrig.integrate import INTEGRALS
+from quintrig.extremes import find_extremes
+from quintrig.integrate import INTEGRALS, integrals
 from quintrig.model import Model, load
 from quintrig.quantity import QUANTITIES
-from quintrig.report import kinds, write, write_report
+from quintrig.report import kinds, pictures, write, write_report
 from quintrig.report.mathml import mathml
 from quintrig.report.pictures import Image
 from quintrig.report.wording import aligned, number, percent, prose, span
@@ -76,8 +79,15 @@ def squeezed(text):
 
 @pytest.fixture
 def undrawn(monkeypatch):
-    """Leave the pictures out, which take nearly all of the time."""
+    """Leave out the pictures, and the last digits of integrals that do not converge: both take most of the time."""
     monkeypatch.setattr(write, "render", lambda picture: BLANK)
+    monkeypatch.setattr(summary, "integrals", lambda surface, tolerance: integrals(surface, 1e-6, 16))
+
+
+@pytest.fixture(scope="module")
+def pages():
+    """Pages that several tests read, by model and grid."""
+    return {}
 
 
 @pytest.fixture(scope="module")
@@ -86,15 +96,27 @@ def whole(tmp_path_factory):
     keys = tomllib.loads((EXAMPLES / "car_boot.toml").read_text())
     model = Model.from_dict({**keys, "name": HOSTILE})
     told = []
-    page = write_report(
-        model, tmp_path_factory.mktemp("report") / "out", grid=17, progress=lambda *args: told.append(args)
-    )
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(pictures, "_DPI", 60)
+        page = write_report(
+            model, tmp_path_factory.mktemp("report") / "out", grid=17, progress=lambda *args: told.append(args)
+        )
     return page, Page(page.read_text(encoding="utf-8")), told
 
 
 def page_of(keys, folder, grid=17):
     model = keys if isinstance(keys, Model) else Model.from_dict(keys)
     return Page(write_report(model, folder / "page.html", grid=grid).read_text(encoding="utf-8"))
+
+
+def kept(pages, keys, folder, grid=17):
+    """Return the page of a model, made once, without its effect of shape parameters."""
+    key = repr((keys, grid))
+    if key not in pages:
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(write, "DETAILED", 0)
+            pages[key] = page_of(keys, folder, grid)
+    return pages[key]
 
 
 def test_the_page_asks_for_nothing_from_outside(whole):
@@ -109,6 +131,21 @@ def test_the_page_asks_for_nothing_from_outside(whole):
     policy = next(a["content"] for t, a in page.tags if a.get("http-equiv") == "Content-Security-Policy")
     assert "default-src 'none'" in policy
     assert "http" not in policy
+
+
+def test_the_policy_allows_the_scripts_of_the_page_and_no_others(whole):
+    path, page, _ = whole
+    policy = next(a["content"] for t, a in page.tags if a.get("http-equiv") == "Content-Security-Policy")
+    allowed = re.search(r"script-src ([^;]*)", policy)[1].split()
+    scripts = re.findall(r"<script([^>]*)>(.*?)</script>", path.read_text(encoding="utf-8"), re.DOTALL)
+    code = [text for kind, text in scripts if "application/json" not in kind]
+    assert len(code) == 1
+    assert not any("src=" in kind for kind, _ in scripts)
+    digest = base64.b64encode(hashlib.sha256(code[0].encode()).digest()).decode()
+    assert f"'sha256-{digest}'" in allowed
+    assert len([word for word in allowed if word.startswith("'sha256-")]) == 1
+    assert not {"'unsafe-inline'", "'unsafe-eval'", "*"} & set(allowed)
+    assert not [name for _, found in page.tags for name in found if name.startswith("on")]
 
 
 def test_links_lead_somewhere_and_ids_are_unique(whole):
@@ -205,8 +242,44 @@ def test_the_model_file_on_the_page_makes_the_same_model(whole):
         ({"kind": "torus", "major": 3, "minor": 1}, "The tightest bend has a radius of 1"),
     ],
 )
-def test_findings_are_those_of_known_surfaces(keys, told, undrawn, tmp_path):
-    assert told in squeezed(page_of(keys, tmp_path, grid=65).words["patch-1-short"])
+def test_findings_are_those_of_known_surfaces(keys, told, undrawn, pages, tmp_path):
+    assert told in squeezed(kept(pages, keys, tmp_path, grid=65).words["patch-1-short"])
+
+
+def test_a_cylinder_is_compared_where_the_methods_are_defined(undrawn, pages, tmp_path):
+    page = kept(pages, {"kind": "cylinder", "radius": 2, "flip": True}, tmp_path, grid=65)
+    for section in ("patch-1-short", "patch-1-methods"):
+        words = squeezed(page.words[section])
+        assert "Everywhere the tangent plane is vertical, where the invariants of a height field are infinite" in words
+        assert "only HK types and shape classes can be compared, and they say the same on 100 %" in words
+        assert "the same on 0 %" not in words
+
+
+def test_a_developable_that_folds_back_is_not_said_to_unroll(undrawn, pages, tmp_path):
+    folded = next(c["model"] for c in CASES if c["model"]["kind"] == "developable")
+    told = squeezed(kept(pages, folded, tmp_path).words["patch-1-short"])
+    assert "folds back at its edge of regression and does not unroll whole" in told
+    assert "without stretching" not in told
+    regular = tomllib.loads(starter("developable"))
+    assert "so it unrolls into a plane" in squeezed(kept(pages, regular, tmp_path).words["patch-1-short"])
+
+
+@pytest.mark.parametrize(("keys", "metric"), [("car_boot", "surface"), ("wavy", "plane")])
+def test_invariants_of_a_steep_surface_are_drawn_in_its_own_metric(keys, metric, undrawn, tmp_path):
+    page = page_of(load(EXAMPLES / f"{keys}.toml"), tmp_path, grid=9)
+    words = squeezed(page.words["patch-1-invariants"])
+    assert f"maps are in the metric of the {metric if metric == 'surface' else 'horizontal plane'}" in words
+
+
+def test_extremes_say_where_they_are_in_space_and_have_one_power_of_ten_each(whole):
+    _, page, _ = whole
+    model = load(EXAMPLES / "car_boot.toml")
+    found = find_extremes(model.surface, ("gaussian",), 17)["gaussian"]
+    words = squeezed(page.words["patch-1-numbers"]).replace("−", "-")
+    for end in (found.minimum, found.maximum):
+        assert f"({', '.join(f'{x:.1f}'.removesuffix('.0') for x in end.point)})" in words.replace(".0,", ",")
+        assert f"{1e6 * end.value:.5g}" in words
+    assert "10-6 1/mm²" in words
 
 
 @pytest.mark.parametrize(
@@ -228,8 +301,8 @@ def test_findings_are_those_of_known_surfaces(keys, told, undrawn, tmp_path):
         ),
     ],
 )
-def test_degenerate_models_are_told_with_a_warning(keys, warning, undrawn, tmp_path):
-    words = squeezed(page_of(keys, tmp_path).words["patch-1-short"]).replace("−", "-")
+def test_degenerate_models_are_told_with_a_warning(keys, warning, undrawn, pages, tmp_path):
+    words = squeezed(kept(pages, keys, tmp_path).words["patch-1-short"]).replace("−", "-")
     assert warning in words
 
 
@@ -321,6 +394,7 @@ def test_columns_have_one_power_of_ten_and_aligned_points():
     assert squeezed(str(span(-1.36e-5, 1.73e-4, "1/mm²"))) == (
         "from −13.6 × 10<sup>−6</sup> to 173 × 10<sup>−6</sup> 1/mm²"
     )
+    assert squeezed(str(span(0.0, 1.73e-4, "1/mm²"))) == "from 0 to 173 × 10<sup>−6</sup> 1/mm²"
 
 
 @pytest.mark.parametrize(

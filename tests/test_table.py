@@ -155,9 +155,9 @@ def test_infinite_invariants_stay_infinite():
 
 
 def test_rounding_is_shown_as_zero_but_kept_in_the_data():
-    # The same profile along y: a cylinder, so K = 0, and what is computed is rounding.
+    # The same profile along a slanting line: a cylinder, so K = 0, and what is computed is rounding.
     profile = ((0, 0), (1, 7), (4, 9), (6, 9), (9, 7), (10, 0))
-    vault = quintrig.tensor([[[x, 2 * i, z] for x, z in profile] for i in range(6)])
+    vault = quintrig.tensor([[[x + 0.1 * i, 1.7 * i, z + 0.3 * i] for x, z in profile] for i in range(6)])
     table = tabulate(vault, *quintrig.grid(5, 5), ["gaussian"])
     k = column(table, "gaussian")
     assert any(k.values)

@@ -1,6 +1,6 @@
 """Six algebraic invariants of a surface seen as a height field z.
 
-Source: Fujita and Ohsaki (2009), after Iri, Shimakawa and Nagai (2001).
+Source: Fujita and Ohsaki (2009), after Iri et al. (2001).
 
 With h = e_z - n_z n, the tangent vector of steepest ascent (components z1, z2 in the frame e1, e2), let Γ1, Γ2, Γ3 be
 the second fundamental form of (h, h), (h, Jh), (Jh, Jh), J the quarter turn about n. Since the covariant Hessian of z

@@ -95,7 +95,7 @@ CLASSES = SignTable(
 INVARIANTS = SignTable(
     "3.4",
     "What the signs of the six algebraic invariants say of a surface seen as a height field z(x, y)",
-    "Fujita and Ohsaki 2009; Iri, Shimakawa and Nagai 2001",
+    "Fujita and Ohsaki 2009; Iri et al. 2001",
     ("invariant", "negative", "zero", "positive"),
     (
         ("β0", "cannot occur", "level: a top, a bottom or a pass", "sloping"),

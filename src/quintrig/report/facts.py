@@ -14,6 +14,7 @@ from quintrig.figure import Mark
 from quintrig.model import Patch
 from quintrig.quantity import BY_KEY
 from quintrig.sample import analyse
+from quintrig.sample import grid as between
 from quintrig.summary import Summary, summarise
 from quintrig.table import Table, tabulate
 
@@ -37,6 +38,7 @@ MARKS: tuple[tuple[Mark, str], ...] = tuple(
 """The labelled points and what they are."""
 
 _NOISE = 1e-12
+_STEEP = 0.1  # n_z: the slope is 10, and γ1 and γ3 in the metric of the plane a thousand times those of the surface
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,7 +46,8 @@ class Facts:
     """What is known of a patch.
 
     ``variants`` are its own and the thesis's sets of shape parameters, empty where none act; ``middle`` is the normal
-    at u = v = 1/2, NaN where that point is singular.
+    at u = v = 1/2, NaN where that point is singular. ``steep`` says that the tangent plane comes so near to vertical
+    that maps of the invariants in the metric of the plane would show little else.
     """
 
     patch: Patch
@@ -55,6 +58,7 @@ class Facts:
     points: Table
     variants: tuple[Variant, ...]
     middle: tuple[float, float, float]
+    steep: bool
 
 
 def steps(patch: Patch, detailed: bool) -> int:
@@ -80,7 +84,9 @@ def gather(patch: Patch, unit: str, thresholds: Thresholds, grid: int, detailed:
         variants.insert(0, Variant(patch.shape, patch, summary))
     middle = analyse(surface, 0.5, 0.5, ("normal",)).normal
     x, y, z = (float(part) for part in middle)
-    return Facts(patch, unit, thresholds, summary, agreement, points, tuple(variants), (x, y, z))
+    upright = analyse(surface, *between(grid, grid), ("normal",)).normal[..., 2]
+    steep = bool((np.abs(upright) < _STEEP).any())
+    return Facts(patch, unit, thresholds, summary, agreement, points, tuple(variants), (x, y, z), steep)
 
 
 def has_effect(patch: Patch) -> bool:

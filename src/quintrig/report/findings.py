@@ -1,10 +1,13 @@
 """What matters most about a patch, in a few plain sentences made from its numbers."""
 
+import math
 from collections.abc import Iterator
 
 from markupsafe import Markup
 
+from quintrig.agreement import REASONS, Agreement
 from quintrig.compare import Variant
+from quintrig.envelope import inner_regression
 from quintrig.extremes import Extreme
 from quintrig.quantity import BY_KEY
 from quintrig.report.facts import Facts, rounding, standard
@@ -23,13 +26,14 @@ _SIDES = (
     ("bends equally both ways", ("minimal",)),
 )
 _ALL = 1.0 - 1e-9
+_TRACE = 5e-4  # of the area: less is a line or a point
 
 
 def findings(facts: Facts) -> tuple[Markup, ...]:
     """Return the key findings, one or two sentences each."""
     if facts.summary.singular.count == facts.summary.singular.samples:
         return (Markup("The surface has no tangent plane anywhere, so nothing can be said of its curvature."),)
-    told = [*_shape(facts.summary), *_bend(facts.summary), *_range(facts.summary), *_methods(facts), *_effect(facts)]
+    told = [*_shape(facts), *_bend(facts.summary), *_range(facts.summary), methods(facts.agreement), *_effect(facts)]
     return tuple(told)
 
 
@@ -38,7 +42,8 @@ def total(summary: Summary, key: str, names: tuple[str, ...]) -> float:
     return sum(part.share for part in summary.shares[key] if part.name in names)
 
 
-def _shape(summary: Summary) -> Iterator[Markup]:
+def _shape(facts: Facts) -> Iterator[Markup]:
+    summary = facts.summary
     forms = _parts(summary, "point_type", _FORMS)
     if len(forms) == 1:
         sentence = f"The surface is {forms[0][0]} everywhere"
@@ -47,7 +52,10 @@ def _shape(summary: Summary) -> Iterator[Markup]:
         sentence = f"The surface is {listed([spelt[0] + ' of its area', *spelt[1:]])}"
     if not total(summary, "point_type", ("elliptic", "umbilic", "hyperbolic")):
         flat = total(summary, "point_type", ("planar",)) >= _ALL
-        sentence += "" if flat else ": K = 0, so it unrolls into a plane without stretching"
+        if inner_regression(facts.patch.surface) is not None:
+            sentence += ": K\u00a0=\u00a00, but it folds back at its edge of regression and does not unroll whole"
+        elif not flat:
+            sentence += ": K\u00a0=\u00a00, so it unrolls into a plane without stretching"
     yield prose(sentence + ".")
     sides = _parts(summary, "hk_type", _SIDES)
     if sides:
@@ -105,14 +113,27 @@ def _range(summary: Summary) -> Iterator[Markup]:
     yield Markup("{}; the Gaussian curvature {}.").format(sentence, spread)
 
 
-def _methods(facts: Facts) -> Iterator[Markup]:
-    found = facts.agreement
-    conflict = found.share("conflict")
-    words = f"HK types, shape classes and invariants say the same on {percent(found.share('agree'))} of the area"
+def methods(found: Agreement) -> Markup:
+    """Return how far the methods agree where they are defined, and where they are not, in a sentence or two."""
+    undefined = found.share("undefined")
+    vertical = sum(share for share, reason in zip(found.shares(), REASONS, strict=True) if reason.name == "vertical")
+    steep = "the tangent plane is vertical, where the invariants of a height field are infinite"
+    if undefined >= _ALL:
+        same = found.tables[0].share(1)
+        if vertical <= 0.0 or math.isnan(same):
+            return Markup("At no point are all three methods defined, so nothing can be compared.")
+        only = "only HK types and shape classes can be compared, and they say the same"
+        return prose(f"Everywhere {steep}: {only} on {percent(same)} of the area.")
+    defined = 1.0 - undefined
+    agree, conflict = found.share("agree") / defined, found.share("conflict") / defined
+    words = f"say the same on {percent(agree)} of the area"
     words += f" and contradict each other on {percent(conflict)}" if conflict else " and nowhere contradict each other"
-    if found.share("agree") >= _ALL:
-        words = "HK types, shape classes and invariants say the same everywhere"
-    yield prose(words + ".")
+    words = "say the same everywhere" if agree >= _ALL else words
+    told = f"HK types, shape classes and invariants {words}."
+    if undefined > _TRACE:
+        told = f"Where all three are defined, {told[0]}{told[1:-1]}; on {percent(undefined)} of the area "
+        told += f"{steep}." if vertical >= _ALL * undefined else "one of them is undefined."
+    return prose(told)
 
 
 def _effect(facts: Facts) -> Iterator[Markup]:

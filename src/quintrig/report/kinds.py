@@ -72,7 +72,7 @@ KINDS: Mapping[str, Kind] = MappingProxyType(
         "developable": Kind(
             "Enveloping developable surface",
             "The strip that a family of planes touches, each along a straight line, cut off by two bounding planes. "
-            "K = 0: it unrolls into a plane without stretching.",
+            "K = 0: clear of its edge of regression it unrolls into a plane without stretching.",
             r"\Pi(u)=\sum_{i=0}^{5}f_i(u;\alpha,\zeta)\,L_i,\quad\text{rulings }\Pi(u)\cap\Pi'(u)",
         ),
         "nurbs": Kind(

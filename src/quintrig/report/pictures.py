@@ -150,9 +150,14 @@ def _projections(facts: Facts) -> Picture:
     return Picture("projections", alt, partial(projections, facts.patch.surface, unit=facts.unit, width=_WIDE))
 
 
+def invariants_shown(facts: Facts) -> tuple[str, ...]:
+    """Return the keys of the invariants that are mapped: in the metric of the surface where it is steep."""
+    return tuple(f"{key}_surface" for key in INVARIANTS) if facts.steep else INVARIANTS
+
+
 def _invariants(facts: Facts) -> Iterator[Picture]:
     surface = facts.patch.surface
-    for key in INVARIANTS:
+    for key in invariants_shown(facts):
         q = BY_KEY[key]
         alt = f"Map over u and v of the invariant {q.symbol}, {q.name}."
         draw = partial(map_panels, surface, [key], unit=facts.unit, thresholds=facts.thresholds, width=_THIRD)

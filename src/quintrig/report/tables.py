@@ -1,5 +1,6 @@
 """Tables of the page: heads with symbols and units, columns of numbers whose decimal points align."""
 
+import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
@@ -8,7 +9,7 @@ from markupsafe import Markup, escape
 from quintrig.agreement import REASONS, Agreement, CrossTable
 from quintrig.compare import Variant, intensities
 from quintrig.correspondence import LEVELS, UNDEFINED
-from quintrig.extremes import Extreme
+from quintrig.extremes import Extreme, Extremes
 from quintrig.figure.palette import CLASS_COLOURS
 from quintrig.integrate import INTEGRALS
 from quintrig.quantity import BY_KEY, CLASSES, QUANTITIES
@@ -91,29 +92,19 @@ def extremes_table(summary: Summary) -> Grid:
     rows: list[tuple[Markup, ...]] = []
     for key, found in summary.extremes.items():
         q = BY_KEY[key]
-        unit = q.unit(summary.unit)
-        mean, noise = found.mean, rounding(summary, key)
-        value = 0.0 if abs(mean.value) <= noise else mean.value
-        average = Markup("∞") if mean.status == "grows without bound" else measure(value, unit, 4)
+        noise = rounding(summary, key)
+        values = [end.value if end.status in _REACHED else _endless(end, sign) for end, sign in _ends(found)]
+        mean = found.mean
+        values.append(float("inf") if mean.status == "grows without bound" else mean.value)
+        power, texts = aligned([0.0 if abs(value) <= noise else value for value in values])
+        least, most, average = (escape(text.strip("\u2007\u2008")) for text in texts)
+        name = head(prose(f"{q.name} {q.symbol}"), q.unit(summary.unit), power)
         rows.append(
-            (
-                prose(f"{q.name} {q.symbol}"),
-                *_extreme(found.minimum, unit, "−", noise),
-                *_extreme(found.maximum, unit, "", noise),
-                average,
-            )
+            (name, least, _place(found.minimum, summary.size), most, _place(found.maximum, summary.size), average)
         )
-    heads = tuple(
-        Markup(text)
-        for text in (
-            "quantity",
-            "least",
-            "at (<i>u</i>, <i>v</i>)",
-            "greatest",
-            "at (<i>u</i>, <i>v</i>)",
-            "mean over the area",
-        )
-    )
+    unit = Markup("\u00a0") + escape(summary.unit) if summary.unit else Markup("")
+    at = Markup('at (<i>u</i>, <i>v</i>)<span class="unit">(<i>x</i>, <i>y</i>, <i>z</i>){}</span>').format(unit)
+    heads = (Markup("quantity"), Markup("least"), at, Markup("greatest"), at, Markup("mean"))
     remarks = [
         Markup("{}, {}: {}.").format(prose(f"{BY_KEY[key].name} {BY_KEY[key].symbol}"), end, prose(extreme.describe()))
         for key, found in summary.extremes.items()
@@ -127,13 +118,34 @@ def extremes_table(summary: Summary) -> Grid:
     return Grid("Extremes and means", heads, tuple(rows), (True, False, True, False, True, False), tuple(remarks))
 
 
-def _extreme(found: Extreme, unit: str, sign: str, noise: float) -> tuple[Markup, Markup]:
+_REACHED = ("attained", "approached")
+
+
+def _ends(found: Extremes) -> tuple[tuple[Extreme, float], tuple[Extreme, float]]:
+    return (found.minimum, -1.0), (found.maximum, 1.0)
+
+
+def _endless(end: Extreme, sign: float) -> float:
+    return float("nan") if end.status == "undefined" else sign * float("inf")
+
+
+def _place(found: Extreme, size: float) -> Markup:
+    """Return the parameters of an extreme over its point, to five digits of the size of the surface."""
     if found.status == "undefined":
-        return number(float("nan")), Markup("")
+        return Markup("")
+    near = Markup("near ") if found.status == "unbounded" else Markup("")
+    star = Markup("") if found.unique or near else Markup("\u202f†")
+    decimals = 4 - math.floor(math.log10(size)) if size > 0.0 else 0
+    point = Markup(",\u00a0").join(number(round(float(x), decimals) + 0.0, 5) for x in found.point)
+    return near + pair(found.u, found.v) + star + Markup('<span class="unit">({})</span>').format(point)
+
+
+def _extreme(found: Extreme, unit: str, sign: str, noise: float) -> Markup:
+    if found.status == "undefined":
+        return number(float("nan"))
     if found.status == "unbounded":
-        return Markup(f"{sign}∞"), Markup("near {}").format(pair(found.u, found.v))
-    star = Markup("") if found.unique else Markup("\u202f†")
-    return measure(0.0 if abs(found.value) <= noise else found.value, unit, 4), pair(found.u, found.v) + star
+        return Markup(f"{sign}∞")
+    return measure(0.0 if abs(found.value) <= noise else found.value, unit, 4)
 
 
 def integrals_table(summary: Summary) -> Grid:
@@ -145,11 +157,10 @@ def integrals_table(summary: Summary) -> Grid:
         grows = found.status == "grows without bound"
         value = Markup("∞") if grows else measure(0.0 if abs(found.value) <= found.error else found.value, unit, 8)
         error = escape(found.status) if not found.converged else Markup("± ") + number(found.error, 1)
-        rows.append((prose(q.name), mathml(q.latex), value, error, prose(q.meaning)))
-    heads = tuple(Markup(text) for text in ("integral", "definition", "value", "error", "what it says"))
-    return Grid(
-        "Integrals", heads, tuple(rows), (True, True, False, False, True), tuple(map(prose, summary.integrals.notes))
-    )
+        name = prose(q.name) + Markup('<span class="unit says">{}</span>').format(prose(q.meaning))
+        rows.append((name, mathml(q.latex), value, error))
+    heads = tuple(Markup(text) for text in ("integral", "definition", "value", "error"))
+    return Grid("Integrals", heads, tuple(rows), (True, True, False, False), tuple(map(prose, summary.integrals.notes)))
 
 
 @dataclass(frozen=True)
@@ -271,8 +282,8 @@ def patches_table(every: Sequence[Facts]) -> Grid:
                 escape(one.patch.name),
                 escape(kind_of(one.patch).title),
                 measure(summary.integrals.area.value, f"{one.unit}²" if one.unit else ""),
-                _extreme(gaussian.minimum, unit, "−", floor)[0],
-                _extreme(gaussian.maximum, unit, "", floor)[0],
+                _extreme(gaussian.minimum, unit, "−", floor),
+                _extreme(gaussian.maximum, unit, "", floor),
                 escape(f"{common.name}, {percent(common.share)}"),
                 escape(str(len(summary.warnings) or "none")),
             )

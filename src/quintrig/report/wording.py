@@ -50,12 +50,12 @@ def measure(value: float, unit: str, digits: int = 4) -> Markup:
 
 
 def span(low: float, high: float, unit: str, digits: int = 3) -> Markup:
-    """Return a range in words, both ends with one power of ten: from -13.6 to 173, × 10⁻⁶ 1/mm²."""
+    """Return a range in words, both ends with one power of ten: from -13.6 × 10⁻⁶ to 173 × 10⁻⁶ 1/mm²; 0 is plain."""
     power, texts = aligned((low, high), digits)
-    first, last = (escape(text.strip("\u2007\u2008")) for text in texts)
     scale = Markup("\u202f×\u202f") + ten(power) if power else Markup("")
-    end = Markup("\u00a0") + escape(unit) if unit else Markup("")
-    return Markup("from {}{} to {}{}{}").format(first, scale, last, scale, end)
+    ends = [escape(text.strip("\u2007\u2008")) for text in texts]
+    first, last = (end + scale if value else end for end, value in zip(ends, (low, high), strict=True))
+    return Markup("from {} to {}{}").format(first, last, Markup("\u00a0") + escape(unit) if unit else Markup(""))
 
 
 def percent(share: float) -> str:

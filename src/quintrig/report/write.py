@@ -18,9 +18,9 @@ from quintrig.quantity import QUANTITIES, quantity
 from quintrig.report import facts as known
 from quintrig.report import kinds, tables
 from quintrig.report.facts import MARKS, Facts
-from quintrig.report.findings import findings
+from quintrig.report.findings import findings, methods
 from quintrig.report.mathml import mathml
-from quintrig.report.pictures import SHOWN, Image, overview, picture_count, pictures, render
+from quintrig.report.pictures import SHOWN, Image, invariants_shown, overview, picture_count, pictures, render
 from quintrig.report.wording import measure, number, percent, prose
 from quintrig.signs import SIGN_TABLES
 from quintrig.studio import page as studio
@@ -143,6 +143,8 @@ def _environment() -> Environment:
         "kinds": kinds,
         "tables": tables,
         "findings": findings,
+        "methods": methods,
+        "invariants_shown": invariants_shown,
         "quantity": quantity,
         "sections": sections,
         "facts_of": _facts_of,
