@@ -194,6 +194,12 @@ def test_a_slider_is_moved_undone_and_redone(context, served):
     page.get_by_label("alpha 2, number").fill("7")
     page.keyboard.press("Enter")
     assert shape_of(page)[2] == -3.25
+    # What is being typed is not replaced by a frame that comes meanwhile.
+    page.get_by_label("alpha 2, number").fill("-1.5")
+    page.evaluate("document.querySelector('[data-quintrig]').studio.plan(true)")
+    page.evaluate(DRAW)
+    assert page.get_by_label("alpha 2, number").input_value() == "-1.5"
+    page.get_by_label("alpha 2, number").fill("-3.25")
     page.locator("canvas.view").focus()
     page.keyboard.press("Control+z")
     assert shape_of(page)[2] == pytest.approx(before[2] - 0.05)

@@ -16,12 +16,16 @@ import type { Settings } from "./settings";
 import type { State } from "./state";
 
 const FRAME_BUDGET = 9; // ms that evaluating everything may take while something moves
+const PROMPT = 20, LATE = 40; // ms from asking for a frame to its beginning: the card keeps up, or is behind
+const LEAST = 36; // points a side
 
 export class Painter {
   /** How long the last evaluation took, ms, and at how many points a side. */
   cost = 0;
   side = 0;
   private coarse = 75;
+  /** Points a side that the card keeps up with while something moves. */
+  private drawable = Infinity;
 
   constructor(private readonly stage: Stage, private readonly fail: (message: string) => void) {}
 
@@ -42,6 +46,12 @@ export class Painter {
     const time = performance.now() - start;
     if (points) this.pace(time, points, settings.resolution);
     return time;
+  }
+
+  /** Learn how long the browser kept a frame waiting while something moves: when the card is behind, frames come late. */
+  waited(time: number): void {
+    if (time > LATE) this.drawable = Math.max(LEAST, 0.75 * this.side);
+    else if (time < PROMPT) this.drawable *= 1.06;
   }
 
   /** Bring the lines and points over the surfaces up to date. */
@@ -95,7 +105,7 @@ export class Painter {
 
   /** Points a side: as many as can be afforded while something moves, more at rest where classes have edges. */
   private points(settings: Settings, moving: boolean, cells: number): number {
-    if (moving) return Math.min(settings.resolution, this.coarse);
+    if (moving) return Math.min(settings.resolution, this.coarse, Math.round(this.drawable));
     return QUANTITY[settings.quantity]?.colour === "classes" && cells === 1 ? 2 * settings.resolution : settings.resolution;
   }
 
@@ -104,7 +114,7 @@ export class Painter {
     this.cost = time;
     const perPoint = time / points, pieces = this.stage.cells.reduce((sum, cell) => sum + cell.pieces.length, 0);
     const fits = Math.sqrt(FRAME_BUDGET / perPoint / Math.max(1, pieces));
-    this.coarse = fits >= full ? full : Math.max(36, Math.min(full, Math.round(fits)));
+    this.coarse = fits >= full ? full : Math.max(LEAST, Math.min(full, Math.round(fits)));
   }
 }
 

@@ -30,6 +30,8 @@ import { remembered, type Settings } from "./settings";
 import { Store, type Source, type State } from "./state";
 import { warningOf } from "./warning";
 
+const QUICK = 160; // ms between frames
+
 export interface Start {
   readonly model: Model;
   readonly source: Source | null;
@@ -59,6 +61,8 @@ export class Studio {
   private readonly painter: Painter;
   private surfaces = 0;
   private planned = 0;
+  private shownAt = 0;
+  private settling = 0;
   private dark = false;
   private stale = true;
   private refit = true;
@@ -123,13 +127,22 @@ export class Studio {
   /** Ask for a frame; `stale` when more than the camera changed. */
   plan(stale = false): void {
     this.stale ||= stale;
-    this.planned ||= requestAnimationFrame((now) => {
+    if (this.planned) return;
+    const asked = performance.now();
+    this.planned = requestAnimationFrame((now) => {
       this.planned = 0;
+      if (this.store.state.moving) this.painter.waited(performance.now() - asked);
       this.show(now);
     });
   }
 
   private show(now: number): void {
+    // Frames that follow each other quickly are part of a movement; one more is drawn when it is over.
+    const quick = this.store.state.moving || now - this.shownAt < QUICK;
+    this.shownAt = now;
+    this.stage.economy(quick);
+    clearTimeout(this.settling);
+    if (quick && this.stage.software) this.settling = window.setTimeout(() => this.plan(), QUICK + 40);
     const gliding = this.stage.orbit.step(now);
     const start = performance.now();
     this.surfaces = 0;
@@ -140,7 +153,7 @@ export class Studio {
     const worked = performance.now();
     this.stage.draw();
     this.hud.refresh(this.store.state, this.frame, this.sharp);
-    this.root.dispatchEvent(new CustomEvent("drawn", { detail: { surfaces: this.surfaces, evaluated: worked - start, drawn: performance.now() - worked } }));
+    this.root.dispatchEvent(new CustomEvent("drawn", { detail: { start, surfaces: this.surfaces, evaluated: worked - start, drawn: performance.now() - worked } }));
     if (gliding) this.plan();
   }
 
@@ -247,6 +260,7 @@ export class Studio {
 
   dispose(): void {
     cancelAnimationFrame(this.planned);
+    clearTimeout(this.settling);
     this.stage.dispose();
     this.container.replaceChildren();
   }

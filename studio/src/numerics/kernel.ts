@@ -39,6 +39,8 @@ export class Grid {
   private blend = new Float64Array(0);
   private u: Float64Array = new Float64Array(0);
   private v: Float64Array = new Float64Array(0);
+  /** S, S_u, S_v, S_uu, S_uv, S_vv of one point. */
+  private readonly partials = new Float64Array(18);
 
   /** Evaluate at the nu × nv points of an even grid over the domain, edges included. */
   evaluate(surface: Surface, nu: number, nv: number): void {
@@ -77,7 +79,7 @@ export class Grid {
   }
 
   private drive(m: number, nu: number, nv: number, onGrid: boolean, tiny: number): void {
-    const { rows: R, blend: D } = this;
+    const { rows: R, blend: D, partials: h } = this;
     const step = 3 * m * nu, next = m * nv;
     for (let p = 0; p < this.count; p++) {
       const i = onGrid ? (p / nv) | 0 : p, k = onGrid ? p - i * nv : p;
@@ -94,13 +96,15 @@ export class Grid {
         uvx += xu * d1; uvy += yu * d1; uvz += zu * d1;
         vvx += x * d2; vvy += y * d2; vvz += z * d2;
       }
-      this.reduce(p, px, py, pz, ux, uy, uz, vx, vy, vz, uux, uuy, uuz, uvx, uvy, uvz, vvx, vvy, vvz, tiny);
+      h[0] = px; h[1] = py; h[2] = pz; h[3] = ux; h[4] = uy; h[5] = uz; h[6] = vx; h[7] = vy; h[8] = vz;
+      h[9] = uux; h[10] = uuy; h[11] = uuz; h[12] = uvx; h[13] = uvy; h[14] = uvz; h[15] = vvx; h[16] = vvy; h[17] = vvz;
+      this.reduce(p, tiny);
     }
   }
 
   /** The same for homogeneous rows: blend all four coordinates, then divide by Leibniz's rule for w S. */
   private driveRational(m: number, nu: number, nv: number, onGrid: boolean, tiny: number): void {
-    const { rows: R, blend: D } = this;
+    const { rows: R, blend: D, partials } = this;
     const step = 4 * m * nu, next = m * nv, h = new Float64Array(24);
     for (let p = 0; p < this.count; p++) {
       const i = onGrid ? (p / nv) | 0 : p, k = onGrid ? p - i * nv : p;
@@ -121,26 +125,22 @@ export class Grid {
       for (let x = 0; x < 3; x++) {
         const s = h[x]! / w;
         const su = (h[4 + x]! - wu * s) / w, sv = (h[8 + x]! - wv * s) / w;
-        h[12 + x] = (h[12 + x]! - 2 * wu * su - wuu * s) / w;
-        h[16 + x] = (h[16 + x]! - wu * sv - wv * su - wuv * s) / w;
-        h[20 + x] = (h[20 + x]! - 2 * wv * sv - wvv * s) / w;
-        h[x] = s;
-        h[4 + x] = su;
-        h[8 + x] = sv;
+        partials[x] = s;
+        partials[3 + x] = su;
+        partials[6 + x] = sv;
+        partials[9 + x] = (h[12 + x]! - 2 * wu * su - wuu * s) / w;
+        partials[12 + x] = (h[16 + x]! - wu * sv - wv * su - wuv * s) / w;
+        partials[15 + x] = (h[20 + x]! - 2 * wv * sv - wvv * s) / w;
       }
-      this.reduce(
-        p, h[0]!, h[1]!, h[2]!, h[4]!, h[5]!, h[6]!, h[8]!, h[9]!, h[10]!, h[12]!, h[13]!, h[14]!,
-        h[16]!, h[17]!, h[18]!, h[20]!, h[21]!, h[22]!, tiny,
-      );
+      this.reduce(p, tiny);
     }
   }
 
-  /** Reduce the partial derivatives of one point to its scratch planes. */
-  private reduce(
-    p: number, px: number, py: number, pz: number, ux: number, uy: number, uz: number, vx: number, vy: number, vz: number,
-    uux: number, uuy: number, uuz: number, uvx: number, uvy: number, uvz: number, vvx: number, vvy: number, vvz: number,
-    tiny: number,
-  ): void {
+  /** Reduce the partial derivatives of one point to its scratch planes. They come in an array: as arguments they would be boxed. */
+  private reduce(p: number, tiny: number): void {
+    const h = this.partials;
+    const px = h[0]!, py = h[1]!, pz = h[2]!, ux = h[3]!, uy = h[4]!, uz = h[5]!, vx = h[6]!, vy = h[7]!, vz = h[8]!;
+    const uux = h[9]!, uuy = h[10]!, uuz = h[11]!, uvx = h[12]!, uvy = h[13]!, uvz = h[14]!, vvx = h[15]!, vvy = h[16]!, vvz = h[17]!;
     const s = this.planes, n = this.stride, sign = this.sign;
     const e = ux * ux + uy * uy + uz * uz, f = ux * vx + uy * vy + uz * vz, g = vx * vx + vy * vy + vz * vz;
     const cx = uy * vz - uz * vy, cy = uz * vx - ux * vz, cz = ux * vy - uy * vx;

@@ -87,8 +87,13 @@ export function extent(surface: Surface): { low: number[]; high: number[]; size:
     }
   }
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-  const middle = [0, 1, 2].map((x) => median(Float64Array.from({ length: count }, (_, p) => found[3 * p + x]!)));
-  for (let p = 0; p < count; p++) away[p] = Math.max(...middle.map((value, x) => Math.abs(found[3 * p + x]! - value)));
+  const [mx, my, mz] = [0, 1, 2].map((x) => {
+    for (let p = 0; p < count; p++) away[p] = found[3 * p + x]!;
+    return median(away.subarray(0, count));
+  }) as [number, number, number];
+  for (let p = 0; p < count; p++) {
+    away[p] = Math.max(Math.abs(found[3 * p]! - mx), Math.abs(found[3 * p + 1]! - my), Math.abs(found[3 * p + 2]! - mz));
+  }
   const reach = 1e6 * median(away.slice(0, count)) || Infinity;
   for (let p = 0; p < count; p++) {
     if (away[p]! > reach) continue;

@@ -28,6 +28,14 @@ export interface SliderOptions {
   onSettle?(): void;
 }
 
+/** Whether somebody is typing in a field: what they type must not be replaced under their hands. */
+function typing(field: HTMLInputElement): () => boolean {
+  let busy = false;
+  field.addEventListener("input", () => (busy = true));
+  for (const end of ["change", "blur"]) field.addEventListener(end, () => (busy = false));
+  return () => busy;
+}
+
 /** A slider with a number field and marks at special values; values beyond it may be typed unless `hard`. */
 export function slider(options: SliderOptions): Slider {
   let { min, max } = options;
@@ -36,7 +44,8 @@ export function slider(options: SliderOptions): Slider {
   const share = (value: number) => `${(100 * (Math.min(max, Math.max(min, value)) - min)) / (max - min)}%`;
   const range = h("input", { type: "range", id, min, max, step, "aria-label": options.name });
   const field = h("input", { type: "number", class: "number", step, "aria-label": `${options.name}, number`, ...(options.hard ? { min, max } : {}) });
-  const fill = h("div", { class: "track" });
+  const busy = typing(field), fill = h("div", { class: "track" });
+  let shown = NaN;
   range.addEventListener("input", () => {
     show(Number(range.value));
     options.onInput(Number(range.value));
@@ -47,7 +56,8 @@ export function slider(options: SliderOptions): Slider {
     const good = Number.isFinite(value) && (!options.hard || (value >= min && value <= max));
     field.classList.toggle("wrong", !good);
     field.title = good ? "" : `Expected a number from ${min} to ${max}`;
-    if (!good) return;
+    if (!good || value === shown) return;
+    shown = value;
     options.onInput(value);
     options.onSettle?.();
   });
@@ -70,9 +80,11 @@ export function slider(options: SliderOptions): Slider {
     element,
     update(value) {
       range.value = String(value);
-      if (!field.matches(":focus") || typed(field) !== value) field.value = String(Number(value.toPrecision(8)));
-      field.classList.remove("wrong");
+      shown = value;
       show(value);
+      if (busy()) return;
+      field.value = String(Number(value.toPrecision(8)));
+      field.classList.remove("wrong");
     },
     bounds(low, high, fine) {
       min = low;
@@ -93,17 +105,23 @@ export interface NumberOptions {
 
 export function numberField(options: NumberOptions): Control<number> {
   const field = h("input", { type: "number", class: "number", step: options.step ?? "any", "aria-label": options.name });
+  const busy = typing(field);
+  let shown = NaN;
   field.addEventListener("change", () => {
     const value = typed(field);
     const good = Number.isFinite(value) && Math.abs(value) <= 1e50 && (!options.positive || value > 0);
     field.classList.toggle("wrong", !good);
     field.title = good ? "" : options.positive ? "Expected a number greater than 0" : "Expected a number";
-    if (good) options.onChange(value);
+    if (!good || value === shown) return;
+    shown = value;
+    options.onChange(value);
   });
   const element = h("label", { class: "field" }, h("span", {}, options.label), field);
   return {
     element,
     update(value) {
+      shown = value;
+      if (busy()) return;
       field.disabled = Number.isNaN(value);
       field.value = Number.isNaN(value) ? "" : String(Number(value.toPrecision(10)));
       field.classList.remove("wrong");

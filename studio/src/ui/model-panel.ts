@@ -23,6 +23,7 @@ export class ModelPanel {
   private shownPatch: Patch | null = null;
   private tab = "";
   private coordinates: Control<number>[] = [];
+  private form: { readonly patch: Patch; readonly chosen: string | undefined; readonly tab: string } | null = null;
 
   constructor(private readonly store: Store) {
     const groups = [
@@ -96,6 +97,10 @@ export class ModelPanel {
     const keys = [...new Set(this.list.map((handle) => handle.key))];
     if (chosen) this.tab = chosen.key;
     if (!keys.includes(this.tab)) this.tab = keys[0]!;
+    // Built anew only for another patch, point or tab, so that what is being typed stays.
+    const form = { patch, chosen: chosen?.id, tab: this.tab };
+    if (form.patch === this.form?.patch && form.chosen === this.form.chosen && form.tab === this.form.tab) return;
+    this.form = form;
     const tabs = segmented("Which points", keys.map((key) => ({ value: key, label: capital(key) })), (key) => {
       this.tab = key;
       this.store.set({ selected: null });

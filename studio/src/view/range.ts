@@ -26,7 +26,7 @@ export interface Range {
 const NOISE = 1e-9; // of the scale: a range as narrow as this shows nothing
 const ROUNDING = 1e-12; // of the scale, as in Python's tables
 const BINS = 48;
-let pool = new Float32Array(0);
+let pool = new Float32Array(0), bends = new Float32Array(0);
 
 /** Common range of a real quantity over several surfaces; `scale` is the size its rounding is relative to. */
 export function rangeOf(meshes: readonly SurfaceMesh[], q: Quantity, settings: Settings): Range {
@@ -35,7 +35,9 @@ export function rangeOf(meshes: readonly SurfaceMesh[], q: Quantity, settings: S
   let n = 0, least = Infinity, most = -Infinity, sum = 0, scale = 1;
   for (const mesh of meshes) {
     scale = Math.max(scale === 1 ? 0 : scale, naturalScale(mesh, q));
-    for (const value of mesh.values) {
+    const { values } = mesh;
+    for (let p = 0; p < values.length; p++) {
+      const value = values[p]!; // an iterator would box every one
       if (value - value !== 0) continue;
       pool[n++] = value;
       sum += value;
@@ -49,7 +51,9 @@ export function rangeOf(meshes: readonly SurfaceMesh[], q: Quantity, settings: S
   let below = 0, above = 0;
   const histogram = new Array<number>(BINS).fill(0), per = BINS / (high - low);
   for (const mesh of meshes) {
-    for (const value of mesh.values) {
+    const { values } = mesh;
+    for (let p = 0; p < values.length; p++) {
+      const value = values[p]!;
       if (value < low) below++;
       else if (value > high) above++;
       else if (value - value === 0) histogram[Math.min(BINS - 1, Math.floor((value - low) * per))]!++;
@@ -96,8 +100,13 @@ function naturalScale(mesh: SurfaceMesh, q: Quantity): number {
   const { size, planes, stride, count } = mesh.grid;
   if (q.power === 0 || !(size > 0)) return 1;
   if (q.power > 0) return size ** q.power;
-  const bends = Float32Array.from({ length: Math.ceil(count / 7) }, (_, i) => planes[PLANE.curvedness * stride + 7 * i]!).filter(Number.isFinite);
-  return Math.max(bends.length ? select(bends, 0.98) : 0, 1 / size) ** -q.power;
+  if (bends.length < count) bends = new Float32Array(count);
+  let n = 0;
+  for (let p = 0; p < count; p += 7) {
+    const bend = planes[PLANE.curvedness * stride + p]!;
+    if (bend < Infinity) bends[n++] = bend;
+  }
+  return Math.max(n ? select(bends.subarray(0, n), 0.98) : 0, 1 / size) ** -q.power;
 }
 
 /** The value below which a share of the numbers lies, by Hoare's selection; reorders them. */

@@ -75,9 +75,13 @@ export class Stage {
   private height = 1;
   private ratio = 1;
   private margin = 0;
+  /** Drawn by the processor: then smoothing comes from more pixels at rest, and speed from fewer while something moves. */
+  readonly software: boolean;
+  private detail = 1;
 
   constructor(readonly canvas: HTMLCanvasElement) {
-    const context = canvas.getContext("webgl2", { antialias: true, alpha: true, powerPreference: "high-performance" });
+    this.software = isSoftware();
+    const context = canvas.getContext("webgl2", { antialias: !this.software, alpha: true, powerPreference: "high-performance" });
     this.renderer = context && new WebGLRenderer({ canvas, context });
     this.renderer?.setClearColor(0x000000, 0);
     if (this.renderer) this.renderer.autoClear = false;
@@ -92,13 +96,26 @@ export class Stage {
     this.height = Math.max(1, height);
     this.ratio = ratio;
     if (this.renderer) {
-      this.renderer.setPixelRatio(ratio);
+      this.renderer.setPixelRatio(this.pixels);
       this.renderer.setSize(this.width, this.height, false);
     } else {
       this.canvas.width = this.width * ratio;
       this.canvas.height = this.height * ratio;
     }
     this.arrange();
+  }
+
+  /** Spare pixels while something moves, where the processor draws. */
+  economy(moving: boolean): void {
+    const detail = !this.software ? 1 : moving ? 0.6 : 1.5;
+    if (detail === this.detail) return;
+    this.detail = detail;
+    this.resize(this.width, this.height, this.ratio);
+  }
+
+  /** Drawn pixels per CSS pixel. */
+  private get pixels(): number {
+    return this.ratio * this.detail;
   }
 
   /** Make as many cells as asked for; several leave a strip on the right and at the bottom to legend and buttons. */
@@ -117,7 +134,7 @@ export class Stage {
       cell.height = height / rows;
       cell.x = (i % columns) * cell.width;
       cell.y = Math.floor(i / columns) * cell.height;
-      for (const piece of cell.pieces) piece.overlays.resize(cell.width * this.ratio, cell.height * this.ratio, this.ratio);
+      for (const piece of cell.pieces) piece.overlays.resize(cell.width * this.pixels, cell.height * this.pixels, this.pixels);
     });
   }
 
@@ -145,7 +162,7 @@ export class Stage {
         u["shade"]!.value = settings.stripes === "none" ? 1 : 0.6;
         u["faded"]!.value = cell.pieces.length > 1 && i !== active ? 0.0 : 0;
         piece.overlays.theme(dark);
-        piece.overlays.resize(cell.width * this.ratio, cell.height * this.ratio, this.ratio);
+        piece.overlays.resize(cell.width * this.pixels, cell.height * this.pixels, this.pixels);
       });
     }
     this.orbit.projection = this.works ? settings.projection : "orthographic"; // as still pictures are painted
@@ -263,15 +280,17 @@ export class Stage {
 
   /** Draw at a size of its own on a background, and hand back the pixels. */
   async picture(width: number, height: number, background: string | null): Promise<HTMLCanvasElement> {
-    const before = { width: this.width, height: this.height, ratio: this.ratio };
+    const before = { width: this.width, height: this.height, ratio: this.ratio, detail: this.detail };
+    this.detail = this.software && Math.max(width, height) <= 4096 ? 2 : 1;
     this.renderer?.setClearColor(background ? new Color().setStyle(background, "srgb-linear") : 0x000000, background ? 1 : 0);
     this.resize(width, height, 1);
     this.draw();
     const copy = document.createElement("canvas");
     copy.width = width;
     copy.height = height;
-    copy.getContext("2d")!.drawImage(this.canvas, 0, 0);
+    copy.getContext("2d")!.drawImage(this.canvas, 0, 0, width, height);
     this.renderer?.setClearColor(0x000000, 0);
+    this.detail = before.detail;
     this.resize(before.width, before.height, before.ratio);
     this.draw();
     return copy;
@@ -287,6 +306,14 @@ export class Stage {
     this.layout(0);
     this.renderer?.dispose();
   }
+}
+
+/** Whether WebGL is drawn by the processor, as far as the browser says. */
+function isSoftware(): boolean {
+  const gl = document.createElement("canvas").getContext("webgl2"), named = gl?.getExtension("WEBGL_debug_renderer_info");
+  const name = named ? String(gl!.getParameter(named.UNMASKED_RENDERER_WEBGL)) : "";
+  gl?.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
 }
 
 /** Direction of the light in the scene. */
