@@ -9,8 +9,10 @@ import quintrig
 from catalogue import SHAPES, SURFACES, wave
 from closeness import natural, off, sound
 from quintrig import Thresholds
-from quintrig.basis import Bernstein
+from quintrig.basis import Bernstein, Trigonometric
+from quintrig.bspline import clamped
 from quintrig.quantity import BY_KEY, CLASSES, QUANTITIES, SCALARS
+from quintrig.surface import Net
 
 NAMES = ("tensor (0.5, -1.5, -3.25, 0.9)", "ruled (0.0, 0.0, 0.0, 0.0)", "developable oblique", "nurbs", "torus")
 every_name = pytest.mark.parametrize("name", NAMES)
@@ -177,6 +179,41 @@ def test_singular_points_are_told_whatever_was_asked_for():
     u = np.array([0.0, 0.3, 1.0])
     for keys in ("mean", "gaussian", "point", "hk_type", ()):
         np.testing.assert_array_equal(quintrig.analyse(sphere, u, 0.1, keys).singular, [True, False, True])
+
+
+def wide(rows, columns):
+    """A B-spline surface of so many rows that no driver unrolls over them, or so few that one does."""
+    along, across = (clamped(np.linspace(0, 1, count - 2), 3, 1) for count in (rows, columns))
+    x, y = np.meshgrid(np.linspace(0, 3, rows), np.linspace(0, 2, columns), indexing="ij")
+    return quintrig.Surface(Net(np.stack([x, y, np.sin(x) * np.cos(2 * y)], axis=-1), along), across)
+
+
+@pytest.mark.parametrize("size", [(5, 31), (31, 5), (31, 31), (12, 12), (13, 13)])
+def test_surfaces_of_any_number_of_rows_take_the_same_values_on_grids_and_points(size):
+    surface = wide(*size)
+    u, v = quintrig.grid(9, 70)
+    grid = quintrig.analyse(surface, u, v, threads=2)
+    points = quintrig.analyse(surface, *(array.copy() for array in np.broadcast_arrays(u, v)))
+    partials = surface.partials(*np.broadcast_arrays(u, v), 2)
+    np.testing.assert_allclose(grid.point, partials[0, 0], rtol=0, atol=1e-14)
+    np.testing.assert_allclose(grid["E"], (partials[1, 0] ** 2).sum(axis=-1), rtol=1e-12)
+    cross = np.cross(partials[1, 0], partials[0, 1])
+    normal = cross / np.linalg.norm(cross, axis=-1, keepdims=True)
+    np.testing.assert_allclose(grid.normal, normal, rtol=0, atol=1e-13)
+    np.testing.assert_allclose(grid["M"], (partials[1, 1] * normal).sum(axis=-1), rtol=0, atol=1e-11)
+    for key in ("gaussian", "mean", "curvedness", "beta1", "gamma2_surface"):
+        scale = np.abs(grid[key]).max()
+        np.testing.assert_allclose(points[key], grid[key], rtol=0, atol=1e-11 * scale, err_msg=key)
+
+
+def test_a_single_row_or_column_is_a_curve_and_singular_everywhere():
+    points = np.random.default_rng(1).normal(size=(6, 1, 3))
+    one_row = quintrig.Surface(Net(points, Trigonometric()), Bernstein(0))
+    one_column = quintrig.Surface(Net(points.transpose(1, 0, 2), Bernstein(0)), Trigonometric())
+    for surface, (u, v) in ((one_row, (0.2, 0.7)), (one_column, (0.7, 0.2))):
+        for sample in (quintrig.analyse(surface, [[u]], [[v]]), quintrig.analyse(surface, [u], [v])):
+            assert sample.singular.all()
+            np.testing.assert_allclose(sample.point.ravel(), surface(u, v), rtol=0, atol=1e-14)
 
 
 # ---------------------------------------------------------------------------------------------- threads

@@ -1,5 +1,6 @@
 """How a surface and its parameters become arguments of the compiled driver, and how the work is spread over threads."""
 
+import math
 import os
 from collections.abc import Callable, Iterable
 from itertools import pairwise
@@ -12,7 +13,7 @@ from numpy.typing import NDArray
 from quintrig.arrays import CACHE_LINE, FloatArray, whole
 from quintrig.blocks import BLOCK, increment_blocks, pad
 from quintrig.increments import split, terms
-from quintrig.kernel import driver
+from quintrig.kernel import GRID, ROWS, driver
 from quintrig.planes import CODE_PLANES, CODE_SLOTS, FLOAT_PLANES, FLOAT_SLOTS, Addresses, Settings, needs
 from quintrig.quantity import BY_KEY
 from quintrig.surface import Net, Surface
@@ -23,7 +24,7 @@ Planes = dict[str, NDArray[Any]]
 _WORTH = 2**17  # points a thread
 _FEW, _CACHES = 8, 2**23  # planes and bytes
 _PIECE = 16384  # scattered points whose derivatives are held at once, so that memory stays with the outputs
-_WIDEST = 24  # rows or functions over which a driver unrolls; beyond, the partials themselves are handed in
+_WIDEST = 12  # rows or functions over which a driver unrolls: more would take seconds to compile, for each number anew
 _NO_NET: FloatArray = np.empty(0)
 
 _Piece = TypeVar("_Piece")
@@ -49,18 +50,16 @@ def worth_streaming(planes: Planes) -> bool:
     )
 
 
-def fills_grid(surface: Surface) -> bool:
-    """Tell whether grids of this surface have a driver of their own; otherwise they are scattered points."""
-    return surface.rows.dimension == 3 and surface.rows.size <= _WIDEST
-
-
 def on_grid(surface: Surface, u: FloatArray, v: FloatArray, planes: Planes, threads: int, at: Settings) -> None:
     """Fill planes of shape (components, nu, nv) at u (nu,) and v (nv,)."""
     if not (u.size and v.size):
         return
+    if _is_wide(surface):
+        _wide_grid(surface, u, v, planes, threads, at)
+        return
     rows = _flat(row_derivatives(surface, u))
     blend = _flat(increment_blocks(surface.blend, v))
-    drive = driver(terms(surface.blend), 0)
+    drive = driver(terms(surface.blend), GRID)
     need, outputs = needs(planes), _addresses(planes, 0)
     # Several pieces a thread, so that one that starts late or is interrupted does not keep the others waiting.
     pieces = min(len(u), 8 * threads if threads > 1 else 1)
@@ -85,6 +84,23 @@ def scattered(surface: Surface, u: FloatArray, v: FloatArray, planes: Planes, th
     _spread(part, range(0, u.size, _PIECE), threads)
 
 
+def _is_wide(surface: Surface) -> bool:
+    """Tell whether no driver unrolls over this surface's rows: it is rational or has too many."""
+    return surface.rational or surface.rows.size > _WIDEST
+
+
+def _wide_grid(surface: Surface, u: FloatArray, v: FloatArray, planes: Planes, threads: int, at: Settings) -> None:
+    drive, need = driver(3, ROWS), needs(planes)
+    step = max(1, _PIECE // v.size)
+
+    def part(start: int) -> None:
+        piece = u[start : start + step, None]
+        inputs = _handed_through(surface.partials(piece, v[None, :], 2).reshape(3, 3, -1, 3))
+        drive(*inputs, 0, 1, piece.size * v.size, need, at, *_addresses(planes, start * v.size))
+
+    _spread(part, range(0, u.size, step), threads)
+
+
 def row_derivatives(surface: Surface, u: FloatArray) -> FloatArray:
     """Return derivatives 0 to 2 of origin and row increments at u, shape (n, 3, 1 + terms, 3)."""
     rows = surface.rows
@@ -92,7 +108,7 @@ def row_derivatives(surface: Surface, u: FloatArray) -> FloatArray:
         return split(rows.derivatives(u, 2).transpose(2, 1, 0, 3), surface.blend).transpose(1, 2, 0, 3)
     net = _net(surface, rows)
     blocks = increment_blocks(rows.functions, u).transpose(0, 3, 1, 2)  # (blocks, BLOCK, 3, increments)
-    result = blocks.reshape(-1, len(net) - 1)[: 3 * u.size] @ net[1:]
+    result = blocks.reshape(math.prod(blocks.shape[:3]), len(net) - 1)[: 3 * u.size] @ net[1:]
     result = result.reshape(u.size, 3, -1)
     result[:, 0] += net[0]
     return result.reshape(u.size, 3, -1, 3)
@@ -107,19 +123,31 @@ def _net(surface: Surface, rows: Net) -> FloatArray:
 
 def _inputs(surface: Surface, u: FloatArray, v: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray, int, int]:
     """Return rows, net and blend for scattered points, with the driver's numbers of terms and functions."""
+    if _is_wide(surface):
+        # In whole blocks, since NumPy sums a single point in another order.
+        return *_handed_through(surface.partials(pad(u), pad(v), 2).reshape(3, 3, -1, 3)), 3, ROWS
     rows = surface.rows
-    if rows.dimension == 4 or rows.size > _WIDEST:
-        # The partials themselves are three rows, S, S_v, S_vv, that a constant blend hands through.
-        partials = surface.partials(pad(u), pad(v), 2)  # (u order, v order, blocks, BLOCK, 3)
-        partials = np.concatenate([np.zeros_like(partials[:, :1]), partials], axis=1)
-        unit = np.broadcast_to(np.eye(3)[None, :, :, None], (partials.shape[2], 3, 3, BLOCK))
-        return _flat(partials.transpose(2, 0, 1, 4, 3)), _NO_NET, _flat(unit), 3, -1
     blend, count = _flat(increment_blocks(surface.blend, v)), terms(surface.blend)
     if isinstance(rows, Net) and rows.functions.size <= _WIDEST:
         functions = _flat(increment_blocks(rows.functions, u))
         return functions, _net(surface, rows).reshape(-1), blend, count, terms(rows.functions)
     derivatives = row_derivatives(surface, pad(u).reshape(-1)).reshape(len(blend), BLOCK, -1)
-    return _flat(derivatives.transpose(0, 2, 1)), _NO_NET, blend, count, -1
+    return _flat(derivatives.transpose(0, 2, 1)), _NO_NET, blend, count, ROWS
+
+
+def _handed_through(partials: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Return rows, net and blend that hand partial derivatives (u order, v order, n, 3) to a driver as they are.
+
+    S, S_v and S_vv are three rows, and their derivatives by u, under a constant blend.
+    """
+    count = -(-partials.shape[2] // BLOCK)
+    rows: FloatArray = np.zeros((count, 3, 4, 3, BLOCK))  # blocks, u order, origin and v order, coordinate
+    filled = np.empty((3, 3, 3, count * BLOCK))
+    filled[..., : partials.shape[2]] = partials.transpose(0, 1, 3, 2)
+    filled[..., partials.shape[2] :] = partials[:, :, -1, :, None]
+    rows[:, :, 1:] = filled.reshape(3, 3, 3, count, BLOCK).transpose(3, 0, 1, 2, 4)
+    unit = np.broadcast_to(np.eye(3)[None, :, :, None], (count, 3, 3, BLOCK))
+    return _flat(rows), _NO_NET, _flat(unit)
 
 
 def _addresses(planes: Planes, start: int) -> tuple[Addresses, Addresses]:

@@ -16,6 +16,9 @@ from quintrig.blocks import BLOCK
 from quintrig.compiled import fence, loop
 from quintrig.planes import FULL, KH, SCRATCH_ROWS, Addresses, Settings, fill, gaussian_and_mean
 
+GRID, ROWS = -2, -1
+"""What ``rows`` holds instead of functions that the rows share; see ``driver``."""
+
 
 class Driver(Protocol):
     """A compiled driver; see ``driver`` for the layout of the arguments."""
@@ -41,16 +44,16 @@ class Driver(Protocol):
 def driver(terms: int, functions: int) -> Driver:
     """Return the compiled driver for a surface of an origin and ``terms`` row increments.
 
-    On a grid, ``functions`` is 0 and ``rows`` (nu, 9 (1 + terms)) holds the derivatives of origin and increments at
-    each u, ordered (derivative, term, coordinate), and output rows ``start`` to ``stop`` are filled. For scattered
-    points it is the number of increments of the functions that the rows share: ``rows`` (blocks, 3 functions BLOCK)
-    holds those, ``net`` ((1 + functions) 3 (1 + terms),) origin and increments of the control points, and output row 0
-    is filled; -1 says that ``rows`` (blocks, 9 (1 + terms) BLOCK) are row derivatives already. ``blend`` is
-    (blocks, 3 terms BLOCK), ``count`` the number of points in an output row, ``need``, ``floats`` and ``codes`` as in
-    ``planes``.
+    On a grid, ``functions`` is ``GRID`` and ``rows`` (nu, 9 (1 + terms)) holds the derivatives of origin and
+    increments at each u, ordered (derivative, term, coordinate), and output rows ``start`` to ``stop`` are filled. For
+    scattered points it is the number of increments of the functions that the rows share: ``rows`` (blocks, 3 functions
+    BLOCK) holds those, ``net`` ((1 + functions) 3 (1 + terms),) origin and increments of the control points, and output
+    row 0 is filled; ``ROWS`` says that ``rows`` (blocks, 9 (1 + terms) BLOCK) are row derivatives already. ``blend``
+    is (blocks, 3 terms BLOCK), ``count`` the number of points in an output row, ``need``, ``floats`` and ``codes`` as
+    in ``planes``.
     """
     # Only whole numbers may be held in the closure: they are part of the key under which the cache finds the driver.
-    stride, step = (1, 0) if functions == 0 else (BLOCK, 1)
+    stride, step = (1, 0) if functions == GRID else (BLOCK, 1)
     coordinates = 3 * (1 + terms)
 
     @loop
@@ -71,8 +74,8 @@ def driver(terms: int, functions: int) -> Driver:
         for i in range(start, stop):
             for block in range(blend.shape[0]):
                 d = blend[block]
-                r = rows[i if functions == 0 else block]
-                if functions > 0:
+                r = rows[i if functions == GRID else block]
+                if functions >= 0:
                     contraction.rows_of_net(r, net, contracted, functions, coordinates, BLOCK)
                     r = contracted
                 contraction.partials(r, d, s, need == FULL, terms, BLOCK, stride, step)

@@ -103,7 +103,7 @@ def analyse(
         shape = np.broadcast_shapes(u.shape, v.shape)
     except ValueError:
         raise ValueError(f"u and v: shapes {u.shape} and {v.shape} do not broadcast to one") from None
-    on_grid = u.ndim == v.ndim == 2 and u.shape[1] == v.shape[0] == 1 and evaluate.fills_grid(surface)
+    on_grid = u.ndim == v.ndim == 2 and u.shape[1] == v.shape[0] == 1
     rows, columns = shape if on_grid else (1, math.prod(shape))
     strange = set(out or ()) - set(keys)
     if strange:

@@ -95,9 +95,12 @@ class Surface:
         [1, 0] is S_u and [1, 1] is S_uv. Raises ValueError for NaN, parameters outside [0, 1] or a negative order.
         """
         order = whole(order, "order", 0)
-        rows = self.rows.derivatives(parameter(u, "u"), order)
-        blend = self.blend.derivatives(parameter(v, "v"), order)
-        blended = np.einsum("p...mx,q...m->pq...x", rows, blend)
+        u, v = parameter(u, "u"), parameter(v, "v")
+        rows, blend = self.rows.derivatives(u, order), self.blend.derivatives(v, order)
+        if u.ndim == v.ndim == 2 and u.shape[1] == v.shape[0] == 1:
+            blended = np.einsum("pimx,qjm->pqijx", rows[:, :, 0], blend[:, 0], optimize=True)  # a matrix product
+        else:
+            blended = np.einsum("p...mx,q...m->pq...x", rows, blend)
         return _projected(blended) if self.rational else blended
 
     def inside(self, u: ArrayLike, v: ArrayLike) -> BoolArray:
