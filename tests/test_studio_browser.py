@@ -230,14 +230,31 @@ def test_a_control_point_is_dragged_along_a_free_axis_only(context, served):
     assert state(page, "model.patches[0].section") == before
 
 
-def section_points(page):
-    """The ends of the drawn section curve in the model's lengths, (n, 3)."""
+def segments(page, line):
+    """The ends of the segments of a line over the first surface, in the model's lengths, (n, 3)."""
     found = page.evaluate(
-        """() => { const s = document.querySelector('[data-quintrig]').studio;
-        const line = s.stage.cells[0].pieces[0].overlays.lines.section;
-        return { ends: Array.from(line.data.slice(0, 6 * line.count)), frame: s.frame }; }"""
+        """(name) => { const s = document.querySelector('[data-quintrig]').studio;
+        const line = s.stage.cells[0].pieces[0].overlays.lines[name];
+        return { ends: Array.from(line.data.slice(0, 6 * line.count)), frame: s.frame }; }""",
+        line,
     )
     return np.reshape(found["ends"], (-1, 3)) / found["frame"]["scale"] + found["frame"]["centre"]
+
+
+def test_snapping_rounds_what_is_dragged(context, served):
+    page = opened(context, served.site.address)
+    before = state(page, "model.patches[0].trajectory")
+    page.get_by_label("Snap step").fill("12.5")
+    page.keyboard.press("Enter")
+    page.locator(".toggle", has_text="Snap to").click()
+    at = page.evaluate("document.querySelector('[data-quintrig]').studio.locate('trajectory[1]')")
+    page.mouse.move(at["x"], at["y"])
+    page.mouse.down()
+    page.mouse.move(at["x"] - 20, at["y"] - 31, steps=5)
+    page.mouse.up()
+    after = state(page, "model.patches[0].trajectory")
+    assert after[1] != before[1]
+    assert all(x % 12.5 == 0 for x in after[1])
 
 
 def test_a_section_plane_stands_at_any_angle(context, served):
@@ -255,7 +272,7 @@ def test_a_section_plane_stands_at_any_angle(context, served):
     kept(page, "section")
     a, e = np.radians([40, 30])
     normal = np.array([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
-    points = section_points(page)
+    points = segments(page, "section")
     assert len(points) > 100
     np.testing.assert_allclose(points @ normal, 120, atol=0.05)  # of a surface 1700 across, drawn in 32 bits
     assert "= 120 mm" in page.locator(".right").inner_text()
@@ -277,7 +294,7 @@ def test_a_section_plane_stands_at_any_angle(context, served):
         assert np.hypot(now["x"] - goal["x"], now["y"] - goal["y"]) < 4  # the grip stays under the pointer
     page.get_by_role("radio", name="z", exact=True).click()
     page.evaluate(DRAW)
-    assert np.ptp(section_points(page)[:, 2]) < 0.01
+    assert np.ptp(segments(page, "section")[:, 2]) < 0.01
 
 
 @pytest.fixture
@@ -361,7 +378,7 @@ def test_what_has_no_size_and_what_runs_off_to_infinity(context, served):
     page = opened(context, served.site.address, problems)
     opened_model(page, {"kind": "tensor", "basis": "bernstein", "points": [[[0.1, 0.2, 0.3]] * 4] * 4})
     assert "A single point" in page.locator(".status").inner_text()
-    assert "no point has a value" in page.locator(".legend").inner_text()
+    assert "no point has a finite value" in page.locator(".legend").inner_text()
     drawn = "document.querySelector('[data-quintrig]').studio.stage.cells[0].pieces[0].mesh.position"
     assert page.evaluate(f"Math.max(...{drawn}.map(Math.abs))") < 1e-6  # nothing but the point itself
     kept(page, "single-point")
@@ -611,6 +628,66 @@ def test_every_kind_and_quantity_is_drawn(context, served):
         page.evaluate(DRAW)
     kept(page, "everything")
     assert problems == []
+
+
+def test_zero_lines_and_the_smallest_radius_are_where_they_are_on_a_torus(context, served):
+    page = opened(context, served.site.address)
+    opened_model(page, {"kind": "torus", "major": 1.2, "minor": 1.0, "unit": "mm"})
+    for label in ("K = 0", "H = 0", "Smallest radius"):
+        page.locator(".toggle", has_text=label).click()
+    page.evaluate(DRAW)
+    kept(page, "zero-lines")
+    away = np.hypot(*segments(page, "zeroK")[:, :2].T)
+    assert len(away) > 200
+    np.testing.assert_allclose(away, 1.2, atol=2e-3)  # K = cos w / (r (R + r cos w)) = 0 on top and below
+    away = np.hypot(*segments(page, "zeroH")[:, :2].T)
+    assert len(away) > 200
+    np.testing.assert_allclose(away, 0.6, atol=2e-3)  # H = 0 where R + 2 r cos w = 0
+    assert "smallest radius 0.2 mm" in page.locator(".status").inner_text()  # R - r, round the hole
+
+
+def test_the_ends_of_the_scale_follow_percentiles_all_values_or_the_hand(context, served):
+    page = opened(context, served.site.address)
+
+    def ends():
+        page.evaluate(DRAW)
+        return page.evaluate(
+            """() => document.querySelector('[data-quintrig]').studio.stage.cells[0].pieces[0]
+            .mesh.material.uniforms.range.value.toArray()"""
+        )
+
+    values = np.abs(quintrig.analyse(quintrig.load(served.path).surface, *quintrig.grid(150, 150))["gaussian"])
+    for cut in (2, 10):
+        page.get_by_label("Percentile cut at either end, number").fill(str(cut))
+        page.keyboard.press("Enter")
+        assert ends()[1] == pytest.approx(np.percentile(values, 100 - cut), rel=1e-3)
+    page.get_by_role("radio", name="All", exact=True).click()
+    assert ends() == pytest.approx([-values.max(), values.max()], rel=1e-5)
+    page.get_by_role("radio", name="Fixed").click()
+    page.get_by_label("Lowest colour").fill("-0.0001")
+    page.get_by_label("Highest colour").fill("0.0003")
+    page.keyboard.press("Enter")
+    assert ends() == pytest.approx([-0.0001, 0.0003])
+
+
+def test_the_light_is_moved(context, served):
+    page = opened(context, served.site.address)
+    light = """() => document.querySelector('[data-quintrig]').studio.stage.cells[0].pieces[0]
+        .mesh.material.uniforms.light.value.toArray()"""
+    for kind in ("zebra", "isophotes", "reflection", "highlight"):
+        page.locator(f"[aria-label='Light lines'] [data-value={kind}]").click()
+        page.locator(".light-ball").scroll_into_view_if_needed()
+        ball = page.locator(".light-ball").bounding_box()
+        x, y = ball["x"] + ball["width"] / 2, ball["y"] + ball["height"] / 2
+        page.mouse.move(x, y)
+        page.mouse.down()
+        page.evaluate(DRAW)
+        assert page.evaluate(light) == pytest.approx([0, 0, 1], abs=0.05)  # from above
+        page.mouse.move(x + 0.499 * ball["width"], y)
+        page.mouse.up()
+        page.evaluate(DRAW)
+        assert page.evaluate(light) == pytest.approx([1, 0, 0], abs=0.1)
+        kept(page, f"light-{kind}")
 
 
 def test_a_picture_of_any_size(context, served, tmp_path):

@@ -51,6 +51,8 @@ export class Hud {
     const put = (cell: number, point: readonly number[], element: HTMLElement) => {
       const p = this.stage.project(cell, toScene(frame, point)), box = this.stage.cells[cell]!;
       if (p.x < box.x || p.x > box.x + box.width || p.y < box.y || p.y > box.y + box.height) return;
+      // A mark seen through the surface says so; there are few, or it would take too long.
+      if (marks.length < 8 && !state.moving) element.classList.toggle("behind", this.stage.hides(cell, toScene(frame, point), state.settings, frame));
       element.style.transform = `translate(${p.x.toFixed(1)}px, ${p.y.toFixed(1)}px)`;
       marks.push(element);
     };

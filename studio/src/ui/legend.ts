@@ -41,9 +41,10 @@ export class Legend {
       tick.style.bottom = `${100 * share}%`;
     });
     this.histogram(range, dark);
-    const lines: (HTMLElement | string)[] = range.missing === range.count ? ["no point has a value"] : [h("dl", { class: "facts" }, h("dt", {}, "max"), h("dd", {}, text(range.most)), h("dt", {}, "mean"), h("dd", {}, text(range.mean)), h("dt", {}, "min"), h("dd", {}, text(range.least)))];
+    const lines: (HTMLElement | string)[] = range.missing === range.count ? ["no point has a finite value"] : [h("dl", { class: "facts" }, h("dt", {}, "max"), h("dd", {}, text(range.most)), h("dt", {}, "mean"), h("dd", {}, text(range.mean)), h("dt", {}, "min"), h("dd", {}, text(range.least)))];
     if (range.below + range.above > 0) lines.push(h("div", {}, `${percent(range.below + range.above)} beyond ends`));
-    if (range.missing) lines.push(h("div", { class: "missing" }, swatch(css(UNDEFINED)), `${range.missing} undefined`));
+    const none = [[range.missing - range.infinite, "undefined"], [range.infinite, "infinite"]] as const;
+    for (const [count, word] of none) if (count) lines.push(h("div", { class: "missing" }, swatch(css(UNDEFINED)), `${count} ${word}`));
     this.note.replaceChildren(...lines);
   }
 

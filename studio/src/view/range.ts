@@ -14,8 +14,9 @@ export interface Range {
   readonly least: number;
   readonly most: number;
   readonly mean: number;
-  /** Grid points without a value. */
+  /** Grid points without a finite value, and those of them where it is infinite. */
   readonly missing: number;
+  readonly infinite: number;
   readonly count: number;
   /** Below this a value is rounding. */
   readonly noise: number;
@@ -32,13 +33,16 @@ let pool = new Float32Array(0), bends = new Float32Array(0);
 export function rangeOf(meshes: readonly SurfaceMesh[], q: Quantity, settings: Settings): Range {
   const total = meshes.reduce((sum, mesh) => sum + mesh.values.length, 0);
   if (pool.length < total) pool = new Float32Array(total);
-  let n = 0, least = Infinity, most = -Infinity, sum = 0, scale = 1;
+  let n = 0, least = Infinity, most = -Infinity, sum = 0, scale = 1, infinite = 0;
   for (const mesh of meshes) {
     scale = Math.max(scale === 1 ? 0 : scale, naturalScale(mesh, q));
     const { values } = mesh;
     for (let p = 0; p < values.length; p++) {
       const value = values[p]!; // an iterator would box every one
-      if (value - value !== 0) continue;
+      if (value - value !== 0) {
+        if (value === value) infinite++;
+        continue;
+      }
       pool[n++] = value;
       sum += value;
       if (value < least) least = value;
@@ -61,7 +65,7 @@ export function rangeOf(meshes: readonly SurfaceMesh[], q: Quantity, settings: S
   }
   const share = n ? 1 / n : 0;
   return {
-    low, high, below: below * share, above: above * share, least, most, mean: n ? sum / n : NaN, missing: total - n, count: total, histogram, noise: ROUNDING * scale,
+    low, high, below: below * share, above: above * share, least, most, mean: n ? sum / n : NaN, missing: total - n, infinite, count: total, histogram, noise: ROUNDING * scale,
   };
 }
 

@@ -233,6 +233,14 @@ export class Stage {
     return best;
   }
 
+  /** Whether a surface stands before a point of the scene. */
+  hides(cell: number, p: readonly number[], settings: Settings, frame: Frame): boolean {
+    const at = this.project(cell, p), hit = this.pick(at.x, at.y, settings, frame);
+    if (!hit) return false;
+    const { origin } = this.ray(cell, at.x, at.y);
+    return hit.distance < Math.hypot(...p.map((x, i) => x - origin[i]!)) - 0.03;
+  }
+
   view(name: ViewName, frame: Frame, still: boolean, margin: number): void {
     this.fit(frame, still, margin, VIEWS[name]);
   }
