@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from PIL import Image
 
 import quintrig
 from quintrig.classify import HK_TYPES
@@ -102,6 +103,17 @@ def test_the_page_shows_items_with_captions_and_links_only_what_is_there(tmp_pat
     for target in re.findall(r'(?:src|href)="([^"#]+)"', text):
         assert (page.parent / target).exists(), target
     assert all("alt=" in tag for tag in re.findall(r"<img[^>]*>", text))
+    names = sorted(file.stem for file in (page.parent / "thumbnails").iterdir())
+    assert names
+    for form, first in (("png", b"\x89PNG"), ("svg", b"<?xml"), ("pdf", b"%PDF")):
+        files = sorted((page.parent / "figures").glob(f"*.{form}"))
+        assert [file.stem for file in files] == names
+        assert all(file.read_bytes().startswith(first) for file in files)
+        assert all(f"figures/{name}.{form}" in text for name in names)
+    for name in names:
+        with Image.open(page.parent / "thumbnails" / f"{name}.png") as small:
+            assert max(small.size[0] / 320, small.size[1] / 240) == pytest.approx(1.0, abs=0.01)
+        assert (page.parent / "thumbnails" / f"{name}.png").stat().st_size < 60_000
     again = write_reproduction(tmp_path / "out", only=frozenset({"table-3.1"}))
     assert not (again.parent / "figures").exists()
     assert sorted(p.name for p in tmp_path.iterdir()) == ["out"]

@@ -59,6 +59,7 @@ def compare(
     keys, seen = read_keys(quantities), read_view(view)
     loaded = session.load(model)
     from quintrig.compare import intensities, standard_shapes, variant, with_shapes
+    from quintrig.files import refuse_unwritable, write_whole
 
     one = loaded.patch(patch)
     shapes = [session.numbers(text, None, "--shape") for text in shape] if shape else standard_shapes(one)
@@ -68,6 +69,8 @@ def compare(
         raise QuintrigError(
             f"{out}: expected a folder or an .html page to write, found another file; choose another name"
         )
+    if out is not None:
+        refuse_unwritable(out if out.suffix.lower() == ".html" else out / "index.html")
     title = f"{loaded.name}: effect of the shape parameters"
     changed = with_shapes(one, shapes)
     with session.progress() as progress:
@@ -80,8 +83,6 @@ def compare(
     if out is None:
         print_table(table, session.output())
         return
-    from quintrig.files import write_whole
-
     for path, content in results.items():
         write_whole(path, content)
     session.done(next(iter(results)))

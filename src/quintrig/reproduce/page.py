@@ -1,5 +1,6 @@
 """The page of the reproduction: every item with its caption, pictures and tables in files beside it."""
 
+import io
 import shutil
 import tempfile
 import threading
@@ -10,12 +11,13 @@ from importlib.resources import files
 from pathlib import Path
 
 from jinja2 import Environment, StrictUndefined
+from PIL import Image, ImageChops
 
 from quintrig import __version__
 from quintrig.classify import Thresholds
 from quintrig.errors import QuintrigError
 from quintrig.figure import to_bytes
-from quintrig.files import write_whole
+from quintrig.files import refuse_unwritable, write_whole
 from quintrig.report.wording import prose
 from quintrig.reproduce.figures import draw
 from quintrig.reproduce.inventory import Item, inventory, labelled_points, model, model_text
@@ -24,12 +26,18 @@ from quintrig.reproduce.tables import Rows, tables
 Progress = Callable[[str, int, int], None]
 """Called with what was just built, items done and items in all."""
 
+FORMATS = ("png", "svg", "pdf")
+
 _DPI = 130
+_THUMBNAIL = (320, 240)  # pixels, twice as many as on the page, for dense screens
 
 
 @dataclass(frozen=True)
 class Built:
-    """An item as the page shows it: paths of its pictures, or its tables with the paths of their files."""
+    """An item as the page shows it: names of its pictures, or its tables with the paths of their files.
+
+    Each picture is a file of that name in ``figures``, once in each of ``FORMATS``, and a small one in ``thumbnails``.
+    """
 
     item: Item
     pictures: tuple[str, ...] = ()
@@ -45,6 +53,7 @@ def write_reproduction(out: Path, *, progress: Progress | None = None, only: fro
     if out.exists() and (not out.is_dir() or (any(out.iterdir()) and not (out / "inventory.toml").exists())):
         raise QuintrigError(f"{out}: expected a new or empty folder, or an earlier reproduction; choose another")
     items = [item for item in inventory() if only is None or item.key in only]
+    refuse_unwritable(out.absolute().parent / "index.html" if out.exists() else out)
     try:
         out.absolute().parent.mkdir(parents=True, exist_ok=True)
         place = Path(tempfile.mkdtemp(dir=out.absolute().parent, prefix=f".{out.name}."))
@@ -94,9 +103,12 @@ def _build(item: Item, folder: Path) -> Built:
         figures = draw(item)
         for index, figure in enumerate(figures):
             letter = "abcdefgh"[index] if len(figures) > 1 else ""
-            for suffix in ("png", "pdf"):
-                write_whole(folder / "figures" / f"{item.key}{letter}.{suffix}", to_bytes(figure, suffix, _DPI))
-            pictures.append(f"figures/{item.key}{letter}.png")
+            name = f"{item.key}{letter}"
+            content = {form: to_bytes(figure, form, _DPI) for form in FORMATS}
+            for form, data in content.items():
+                write_whole(folder / "figures" / f"{name}.{form}", data)
+            write_whole(folder / "thumbnails" / f"{name}.png", _thumbnail(content["png"]))
+            pictures.append(name)
         return Built(item, tuple(pictures))
     parts: list[tuple[Rows, tuple[str, ...]]] = []
     found = tables(item)
@@ -107,6 +119,17 @@ def _build(item: Item, folder: Path) -> Built:
             write_whole(folder / path, text)
         parts.append((rows, paths))
     return Built(item, tables=tuple(parts))
+
+
+def _thumbnail(png: bytes) -> bytes:
+    """Return a PNG, its white margins cut off, reduced to fit the thumbnails' size."""
+    buffer = io.BytesIO()
+    with Image.open(io.BytesIO(png)) as picture:
+        whole = picture.convert("RGB")
+        small = whole.crop(ImageChops.difference(whole, Image.new("RGB", whole.size, "white")).getbbox())
+        small.thumbnail(_THUMBNAIL, Image.Resampling.LANCZOS)
+        small.save(buffer, "PNG", optimize=True)
+    return buffer.getvalue()
 
 
 def _page(built: list[Built], names: list[str]) -> str:
@@ -128,4 +151,5 @@ def _page(built: list[Built], names: list[str]) -> str:
         relative=Thresholds().relative,
         flat=Thresholds().flat,
         letters="abcdefgh",
+        formats=FORMATS,
     )
