@@ -588,6 +588,37 @@ def test_a_bad_file_gets_the_message_of_the_command_line_and_the_work_is_kept(co
     until(page, "document.querySelector('[data-quintrig]').studio.store.state.model.patches[0].kind === 'torus'")
 
 
+def test_a_file_that_went_bad_is_told_and_the_draft_is_still_offered(context, served):
+    page = opened(context, served.site.address)
+    page.get_by_label("alpha 1, number").fill("-2.5")
+    page.keyboard.press("Enter")
+    page.wait_for_timeout(600)
+    served.path.write_text('kind = "cone"\nradius = "wide"\n')
+    page.reload()
+    page.get_by_role("alert").filter(has_text="lid.toml").filter(has_text="radius").wait_for()
+    kept(page, "went-bad")
+    page.get_by_role("button", name="Restore it").click()
+    assert shape_of(page)[0] == -2.5
+
+
+def test_kept_models_stand_beside_the_model_on_one_scale(context, served):
+    page = opened(context, served.site.address)
+    page.get_by_role("radio", name="Kept").click()  # with nothing kept yet, what is there is kept
+    page.get_by_label("alpha 2, number").fill("-4")
+    page.keyboard.press("Enter")
+    page.get_by_role("button", name="Keep the model").click()
+    page.get_by_label("alpha 2, number").fill("1")
+    page.keyboard.press("Enter")
+    page.evaluate(DRAW)
+    assert page.locator(".cell-label").all_text_contents() == ["now", "kept 1", "kept 2"]
+    found = page.evaluate(
+        """() => document.querySelector('[data-quintrig]').studio.stage.cells.map((c) => [
+        c.pieces[0].patch.shape[2], ...c.pieces[0].mesh.material.uniforms.range.value.toArray()])"""
+    )
+    assert [one[0] for one in found] == [1, 0, -4]
+    assert len({tuple(one[1:]) for one in found}) == 1
+
+
 def test_four_sets_share_one_scale(context, served):
     page = opened(context, served.site.address)
     page.get_by_role("radio", name="Four sets").click()

@@ -39,6 +39,11 @@ export async function live(element: HTMLElement, place: string): Promise<Studio>
   const answer = await fetch("api/model");
   const { model, source } = answer.ok ? opened(await answer.json()) : { model: PRESETS[0]!, source: null };
   const studio = new Studio(shelter(element), host, { model, source });
+  // Without a model a preset is right; a model that cannot be read is told.
+  if (!answer.ok && answer.status !== 404) {
+    const { error } = (await answer.json().catch(() => ({}))) as { error?: string };
+    studio.store.set({ message: { kind: "error", text: error ?? `the server answered ${answer.status}` } });
+  }
   const title = () => {
     const { model, saved } = studio.store.state;
     document.title = `${model === saved ? "" : "● "}${model.name} – quintrig`;

@@ -96,6 +96,7 @@ export class Studio {
       if (press(event, { store, stage: this.stage, files: this.files, frame: () => this.frame, fit: () => this.fit(), view: (name) => this.view(name), redraw: () => this.plan(), help: () => void showHelp(this.root) })) event.preventDefault();
     });
     this.files.receive(this.root);
+    this.canvas.addEventListener("webglcontextrestored", () => this.plan(true));
     new ResizeObserver(() => this.resize()).observe(this.centre);
     const scheme = matchMedia("(prefers-color-scheme: dark)");
     scheme.addEventListener("change", () => this.plan(true));

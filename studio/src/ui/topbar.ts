@@ -35,11 +35,12 @@ export class TopBar {
       { value: "before", label: "Before | now", title: "As last saved or opened, beside the model now" },
       { value: "sets", label: "Four sets", title: "The four sets of shape parameters of the thesis, on one scale" },
       { value: "kept", label: "Kept", title: "The model beside those you kept" },
-    ], (compare) => store.set({ compare }));
-    const keep = button("Keep", "Keep the model as it is now, to compare with", () => {
+    ], (compare) => (compare === "kept" && !store.state.kept.length ? keepNow() : store.set({ compare })));
+    const keepNow = () => {
       const { model, kept } = store.state;
       store.set({ kept: [...kept.slice(-4), { label: `kept ${kept.length + 1}`, model }], compare: "kept" });
-    }, "button quiet");
+    };
+    const keep = button("Keep", "Keep the model as it is now, to compare with", keepNow, "button quiet");
     this.element = h("header", { class: "bar" },
       embedded ? null : h("span", { class: "brand", title: "quintrig" }, mark(), h("span", {}, "quintrig")),
       button(icon(ICONS.side), "Construction and control points", panel, "button square drawer"),

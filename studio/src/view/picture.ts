@@ -7,7 +7,7 @@ import { classColours, css, mapColours } from "../ui/colours";
 import type { PictureChoice } from "../ui/dialogs";
 import { capital, short, unitText } from "../ui/format";
 import type { Range } from "./range";
-import type { Cell } from "./stage";
+import type { Cell } from "./cell";
 
 /** Write legend, labels and caption onto the picture. */
 export function compose(

@@ -1,58 +1,19 @@
 /** The picture: cells side by side, each with the surfaces of one model, drawn by one renderer through one camera. */
 
-import { Color, Scene, Vector2, Vector3, WebGLRenderer } from "three";
+import { Color, Vector2, Vector3, WebGLRenderer } from "three";
 import type { Settings } from "../app/settings";
-import type { Patch } from "../numerics/model";
-import type { Surface } from "../numerics/surface";
 import { BACK, FRONT, UNDEFINED, type Rgb } from "../ui/colours";
 import { Orbit, VIEWS, type ViewName } from "./camera";
+import { Cell } from "./cell";
 import type { Frame } from "./frame";
-import { vector, SurfaceMesh } from "./mesh";
-import { Overlays } from "./overlays";
+import { vector } from "./mesh";
 import { pick, type Hit } from "./pick";
 import type { Range } from "./range";
 import { sectionPlane } from "./section";
+import { isSoftware } from "./software";
 import { paintStill } from "./still";
 
 const FAR = 6; // radii from the middle, beyond which control points are let out of the picture
-
-/** One surface in a cell. */
-export class Piece {
-  readonly mesh = new SurfaceMesh();
-  readonly overlays = new Overlays();
-  /** What was last drawn, so that only what changed is worked out again. */
-  patch: Patch | null = null;
-  surface: Surface | null = null;
-  side = 0;
-  frame: Frame | null = null;
-  quantity = "";
-  settings: Settings | null = null;
-  tooth = 0;
-}
-
-/** One viewport: its pieces and its place in the canvas, in CSS pixels from the top left. */
-export class Cell {
-  readonly scene = new Scene();
-  readonly pieces: Piece[] = [];
-  x = 0;
-  y = 0;
-  width = 1;
-  height = 1;
-
-  resizePieces(count: number): void {
-    while (this.pieces.length > count) {
-      const piece = this.pieces.pop()!;
-      this.scene.remove(piece.mesh.mesh, piece.overlays.group);
-      piece.mesh.dispose();
-      piece.overlays.dispose();
-    }
-    while (this.pieces.length < count) {
-      const piece = new Piece();
-      this.pieces.push(piece);
-      this.scene.add(piece.mesh.mesh, piece.overlays.group);
-    }
-  }
-}
 
 export interface Ray {
   readonly origin: readonly [number, number, number];
@@ -314,14 +275,6 @@ export class Stage {
     this.layout(0);
     this.renderer?.dispose();
   }
-}
-
-/** Whether WebGL is drawn by the processor, as far as the browser says. */
-function isSoftware(): boolean {
-  const gl = document.createElement("canvas").getContext("webgl2"), named = gl?.getExtension("WEBGL_debug_renderer_info");
-  const name = named ? String(gl!.getParameter(named.UNMASKED_RENDERER_WEBGL)) : "";
-  gl?.getExtension("WEBGL_lose_context")?.loseContext();
-  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
 }
 
 /** Direction of the light in the scene. */

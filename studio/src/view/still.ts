@@ -5,7 +5,7 @@ import { BACK, classColours, css, mapColours, UNDEFINED, type Rgb } from "../ui/
 import type { Orbit } from "./camera";
 import type { Overlays } from "./overlays";
 import type { Range } from "./range";
-import type { Cell } from "./stage";
+import type { Cell } from "./cell";
 
 const SIDE = 64;
 

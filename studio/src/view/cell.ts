@@ -1,0 +1,47 @@
+/** What is drawn in one viewport: pieces, each a surface with the lines and points over it. */
+
+import { Scene } from "three";
+import type { Settings } from "../app/settings";
+import type { Patch } from "../numerics/model";
+import type { Surface } from "../numerics/surface";
+import type { Frame } from "./frame";
+import { SurfaceMesh } from "./mesh";
+import { Overlays } from "./overlays";
+
+/** One surface in a cell. */
+export class Piece {
+  readonly mesh = new SurfaceMesh();
+  readonly overlays = new Overlays();
+  /** What was last drawn, so that only what changed is worked out again. */
+  patch: Patch | null = null;
+  surface: Surface | null = null;
+  side = 0;
+  frame: Frame | null = null;
+  quantity = "";
+  settings: Settings | null = null;
+  tooth = 0;
+}
+
+/** One viewport: its pieces and its place in the canvas, in CSS pixels from the top left. */
+export class Cell {
+  readonly scene = new Scene();
+  readonly pieces: Piece[] = [];
+  x = 0;
+  y = 0;
+  width = 1;
+  height = 1;
+
+  resizePieces(count: number): void {
+    while (this.pieces.length > count) {
+      const piece = this.pieces.pop()!;
+      this.scene.remove(piece.mesh.mesh, piece.overlays.group);
+      piece.mesh.dispose();
+      piece.overlays.dispose();
+    }
+    while (this.pieces.length < count) {
+      const piece = new Piece();
+      this.pieces.push(piece);
+      this.scene.add(piece.mesh.mesh, piece.overlays.group);
+    }
+  }
+}
