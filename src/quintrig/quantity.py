@@ -45,6 +45,8 @@ _PLANE = "in the metric of the horizontal plane (the definition for a height fie
 _OWN = "in the metric of the surface"
 _FUJITA = "Fujita and Ohsaki 2009; Iri et al. 2001"
 _CARMO = "do Carmo 1976, §2.5-3.3"
+_LARGER = "the most that the surface bends towards the normal: H + R, R = (κ1 - κ2)/2"
+_SMALLER = "the least that it bends towards the normal, or the most away from it: H - R, R = (κ1 - κ2)/2"
 
 
 def _invariants(suffix: str, mark: str, metric: str) -> tuple[Quantity, ...]:
@@ -52,14 +54,28 @@ def _invariants(suffix: str, mark: str, metric: str) -> tuple[Quantity, ...]:
         ("beta0", "β0", r"\beta_0", "squared slope", "square of the slope", 0),
         ("beta1", "β1", r"\beta_1", "Laplacian of the height", "bowl-like (+) or roof-like (-)", -1),
         ("beta2", "β2", r"\beta_2", "Hessian determinant", "dome or bowl (+), developable (0), saddle (-)", -2),
-        ("gamma1", "γ1", r"\gamma_1", "bending along steepest descent", "convex (+) or concave (-) downhill", -1),
-        ("gamma2", "γ2", r"\gamma_2", "twist of steepest descent", "0 on crest and trough lines", -1),
+        (
+            "gamma1",
+            "γ1",
+            r"\gamma_1",
+            "bending along steepest descent",
+            "slope eases (+) or steepens (-) downhill; weighted by slope²",
+            -1,
+        ),
+        (
+            "gamma2",
+            "γ2",
+            r"\gamma_2",
+            "twist of steepest descent",
+            "0 on crest and trough lines; weighted by slope²",
+            -1,
+        ),
         (
             "gamma3",
             "γ3",
             r"\gamma_3",
             "bending along the contour",
-            "hollow (+) or spur (-): rises or falls to both sides along the contour",
+            "hollow (+) or spur (-): rises or falls to both sides along the contour; weighted by slope²",
             -1,
         ),
     )
@@ -80,7 +96,7 @@ def _invariants(suffix: str, mark: str, metric: str) -> tuple[Quantity, ...]:
 
 
 QUANTITIES: tuple[Quantity, ...] = (
-    Quantity("point", "S", r"\mathbf{S}", "point", "position", "thesis eq. 3.1", 1, "even", "vector"),
+    Quantity("point", "S(u, v)", r"\mathbf{S}(u,v)", "point", "position", "thesis eq. 3.1", 1, "even", "vector"),
     Quantity("normal", "n", r"\mathbf{n}", "unit normal", "S_u × S_v, normalised", _CARMO, 0, "odd", "vector"),
     Quantity("E", "E", "E", "first form E", "S_u · S_u", _CARMO, 2, "even", "sequential"),
     Quantity("F", "F", "F", "first form F", "S_u · S_v", _CARMO, 2, "even", "diverging"),
@@ -111,10 +127,10 @@ QUANTITIES: tuple[Quantity, ...] = (
         "diverging",
     ),
     Quantity(
-        "k1", "κ1", r"\kappa_1", "larger principal curvature", "H + R", _CARMO, -1, "swap", "diverging", partner="k2"
+        "k1", "κ1", r"\kappa_1", "larger principal curvature", _LARGER, _CARMO, -1, "swap", "diverging", partner="k2"
     ),
     Quantity(
-        "k2", "κ2", r"\kappa_2", "smaller principal curvature", "H - R", _CARMO, -1, "swap", "diverging", partner="k1"
+        "k2", "κ2", r"\kappa_2", "smaller principal curvature", _SMALLER, _CARMO, -1, "swap", "diverging", partner="k1"
     ),
     Quantity(
         "direction1",
