@@ -80,7 +80,9 @@ def served(tmp_path):
 
 @pytest.fixture
 def context(browser):
-    made = browser.new_context(viewport={"width": 1280, "height": 720}, accept_downloads=True)
+    # Reduced motion: views are there at once, however busy the machine is.
+    size = {"width": 1280, "height": 720}
+    made = browser.new_context(viewport=size, accept_downloads=True, reduced_motion="reduce")
     made.set_default_timeout(20_000)
     yield made
     made.close()
@@ -300,7 +302,7 @@ def test_a_section_plane_stands_at_any_angle(context, served):
 @pytest.fixture
 def touch(browser, served):
     """A page on a screen to touch, and a function that sends one touch event with fingers at these points."""
-    context = browser.new_context(viewport={"width": 1280, "height": 720}, has_touch=True)
+    context = browser.new_context(viewport={"width": 1280, "height": 720}, has_touch=True, reduced_motion="reduce")
     context.set_default_timeout(20_000)
     page = opened(context, served.site.address)
     session = context.new_cdp_session(page)
@@ -330,7 +332,7 @@ def test_two_fingers_zoom_and_pan_and_one_turns(touch):
     assert turned[2:] == start[2:]
 
     page.keyboard.press("3")
-    page.wait_for_timeout(500)
+    page.evaluate(DRAW)
     turned = page.evaluate(ORBIT)
     under = "document.querySelector('[data-quintrig]').studio.locate('section[3]')"
     at = page.evaluate(under)
@@ -431,7 +433,7 @@ def test_every_construction_is_edited_by_dragging(context, served):
             before = state(page, "model.patches[0]")
             page.locator("canvas.view").focus()
             page.keyboard.press("1")
-            page.wait_for_timeout(350)
+            page.evaluate(DRAW)
             at = page.evaluate("(id) => document.querySelector('[data-quintrig]').studio.locate(id)", identity)
             page.mouse.move(at["x"], at["y"])
             page.mouse.down()
@@ -475,7 +477,7 @@ def test_the_arrow_keys_move_the_chosen_point(context, served):
     before = np.array(state(page, "model.patches[0].section"))
     page.locator("canvas.view").focus()
     page.keyboard.press("3")
-    page.wait_for_timeout(400)
+    page.evaluate(DRAW)
     page.keyboard.press("]")
     assert state(page, "selected") == "section[0]"
     page.keyboard.press("ArrowUp")
