@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from quintrig.arrays import CACHE_LINE, FloatArray, whole
 from quintrig.blocks import BLOCK, increment_blocks, pad
 from quintrig.increments import split, terms
-from quintrig.kernel import GRID, ROWS, driver
-from quintrig.planes import CODE_PLANES, CODE_SLOTS, FLOAT_PLANES, FLOAT_SLOTS, Addresses, Settings, needs
+from quintrig.kernel import GRID, ROWS, Driver, driver
+from quintrig.planes import CODE_PLANES, CODE_SLOTS, FLOAT_PLANES, FLOAT_SLOTS, FULL, Addresses, Settings, finish, needs
 from quintrig.quantity import BY_KEY
 from quintrig.surface import Net, Surface
 
@@ -27,6 +27,10 @@ _PIECE = 16384  # scattered points whose derivatives are held at once, so that m
 _WIDEST = 12  # rows or functions over which a driver unrolls: more would take seconds to compile, for each number anew
 _NO_NET: FloatArray = np.empty(0)
 
+_HANDED = (3, ROWS)
+"""The driver's numbers for partial derivatives that are handed through."""
+
+_Inputs = tuple[FloatArray, FloatArray, FloatArray]
 _Piece = TypeVar("_Piece")
 
 
@@ -60,26 +64,23 @@ def on_grid(surface: Surface, u: FloatArray, v: FloatArray, planes: Planes, thre
     rows = _flat(row_derivatives(surface, u))
     blend = _flat(increment_blocks(surface.blend, v))
     drive = driver(terms(surface.blend), GRID)
-    need, outputs = needs(planes), _addresses(planes, 0)
     # Several pieces a thread, so that one that starts late or is interrupted does not keep the others waiting.
     pieces = min(len(u), 8 * threads if threads > 1 else 1)
     edges: list[int] = np.linspace(0, len(u), pieces + 1).astype(int).tolist()
 
     def part(ends: tuple[int, int]) -> None:
-        drive(rows, _NO_NET, blend, *ends, v.size, need, at, *outputs)
+        _run(drive, (rows, _NO_NET, blend), ends, v.size, planes, 0, at)
 
     _spread(part, list(pairwise(edges)), threads)
 
 
 def scattered(surface: Surface, u: FloatArray, v: FloatArray, planes: Planes, threads: int, at: Settings) -> None:
     """Fill planes of shape (components, 1, n) at the n points u (n,), v (n,)."""
-    need = needs(planes)
 
     def part(start: int) -> None:
         piece = slice(start, min(start + _PIECE, u.size))
-        rows, net, blend, count, functions = _inputs(surface, u[piece], v[piece])
-        drive = driver(count, functions)
-        drive(rows, net, blend, 0, 1, piece.stop - start, need, at, *_addresses(planes, start))
+        inputs, sizes = _inputs(surface, u[piece], v[piece])
+        _run(driver(*sizes), inputs, (0, 1), piece.stop - start, planes, start, at)
 
     _spread(part, range(0, u.size, _PIECE), threads)
 
@@ -90,13 +91,12 @@ def _is_wide(surface: Surface) -> bool:
 
 
 def _wide_grid(surface: Surface, u: FloatArray, v: FloatArray, planes: Planes, threads: int, at: Settings) -> None:
-    drive, need = driver(3, ROWS), needs(planes)
     step = max(1, _PIECE // v.size)
 
     def part(start: int) -> None:
         piece = u[start : start + step, None]
         inputs = _handed_through(surface.partials(piece, v[None, :], 2).reshape(3, 3, -1, 3))
-        drive(*inputs, 0, 1, piece.size * v.size, need, at, *_addresses(planes, start * v.size))
+        _run(driver(*_HANDED), inputs, (0, 1), piece.size * v.size, planes, start * v.size, at)
 
     _spread(part, range(0, u.size, step), threads)
 
@@ -121,21 +121,21 @@ def _net(surface: Surface, rows: Net) -> FloatArray:
     return both.reshape(len(both), -1)
 
 
-def _inputs(surface: Surface, u: FloatArray, v: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray, int, int]:
-    """Return rows, net and blend for scattered points, with the driver's numbers of terms and functions."""
+def _inputs(surface: Surface, u: FloatArray, v: FloatArray) -> tuple[_Inputs, tuple[int, int]]:
+    """Return rows, net and blend for scattered points, and the driver's numbers of terms and functions."""
     if _is_wide(surface):
         # In whole blocks, since NumPy sums a single point in another order.
-        return *_handed_through(surface.partials(pad(u), pad(v), 2).reshape(3, 3, -1, 3)), 3, ROWS
+        return _handed_through(surface.partials(pad(u), pad(v), 2).reshape(3, 3, -1, 3)), _HANDED
     rows = surface.rows
     blend, count = _flat(increment_blocks(surface.blend, v)), terms(surface.blend)
     if isinstance(rows, Net) and rows.functions.size <= _WIDEST:
         functions = _flat(increment_blocks(rows.functions, u))
-        return functions, _net(surface, rows).reshape(-1), blend, count, terms(rows.functions)
+        return (functions, _net(surface, rows).reshape(-1), blend), (count, terms(rows.functions))
     derivatives = row_derivatives(surface, pad(u).reshape(-1)).reshape(len(blend), BLOCK, -1)
-    return _flat(derivatives.transpose(0, 2, 1)), _NO_NET, blend, count, ROWS
+    return (_flat(derivatives.transpose(0, 2, 1)), _NO_NET, blend), (count, ROWS)
 
 
-def _handed_through(partials: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+def _handed_through(partials: FloatArray) -> _Inputs:
     """Return rows, net and blend that hand partial derivatives (u order, v order, n, 3) to a driver as they are.
 
     S, S_v and S_vv are three rows, and their derivatives by u, under a constant blend.
@@ -148,6 +148,15 @@ def _handed_through(partials: FloatArray) -> tuple[FloatArray, FloatArray, Float
     rows[:, :, 1:] = filled.reshape(3, 3, 3, count, BLOCK).transpose(3, 0, 1, 2, 4)
     unit = np.broadcast_to(np.eye(3)[None, :, :, None], (count, 3, 3, BLOCK))
     return _flat(rows), _NO_NET, _flat(unit)
+
+
+def _run(
+    drive: Driver, inputs: _Inputs, rows: tuple[int, int], count: int, planes: Planes, start: int, at: Settings
+) -> None:
+    """Fill some rows of ``count`` points of the planes, whose first point is number ``start``."""
+    need, settings, (floats, codes) = needs(planes), np.array(at), _addresses(planes, start)
+    addresses = (array.ctypes.data for array in (settings, floats, codes))
+    drive(*inputs, *rows, count, need == FULL, finish(need), *addresses)
 
 
 def _addresses(planes: Planes, start: int) -> tuple[Addresses, Addresses]:

@@ -5,39 +5,23 @@ into the quantities asked for. The number of increments is a constant of each co
 them unroll.
 """
 
+from collections.abc import Callable
 from functools import cache
-from typing import Protocol
 
 import numpy as np
 
 from quintrig import contraction
 from quintrig.arrays import FloatArray
 from quintrig.blocks import BLOCK
-from quintrig.compiled import fence, loop
-from quintrig.planes import FULL, KH, SCRATCH_ROWS, Addresses, Settings, fill, gaussian_and_mean
+from quintrig.compiled import call, fence, loop
+from quintrig.planes import SCRATCH_ROWS
 
 GRID, ROWS = -2, -1
 """What ``rows`` holds instead of functions that the rows share; see ``driver``."""
 
 
-class Driver(Protocol):
-    """A compiled driver; see ``driver`` for the layout of the arguments."""
-
-    def __call__(
-        self,
-        rows: FloatArray,
-        net: FloatArray,
-        blend: FloatArray,
-        start: int,
-        stop: int,
-        count: int,
-        need: int,
-        at: Settings,
-        floats: Addresses,
-        codes: Addresses,
-    ) -> None:
-        """Fill the planes."""
-        ...
+Driver = Callable[[FloatArray, FloatArray, FloatArray, int, int, int, bool, int, int, int, int], None]
+"""A compiled driver: rows, net, blend, start, stop, count, point, finish, settings, floats, codes; see ``driver``."""
 
 
 @cache
@@ -49,8 +33,8 @@ def driver(terms: int, functions: int) -> Driver:
     scattered points it is the number of increments of the functions that the rows share: ``rows`` (blocks, 3 functions
     BLOCK) holds those, ``net`` ((1 + functions) 3 (1 + terms),) origin and increments of the control points, and output
     row 0 is filled; ``ROWS`` says that ``rows`` (blocks, 9 (1 + terms) BLOCK) are row derivatives already. ``blend``
-    is (blocks, 3 terms BLOCK), ``count`` the number of points in an output row, ``need``, ``floats`` and ``codes`` as
-    in ``planes``.
+    is (blocks, 3 terms BLOCK), ``count`` the number of points in an output row; ``point`` asks for S itself, and
+    ``finish`` is the address of what ``planes`` does with each block, the rest those of what it needs.
     """
     # Only whole numbers may be held in the closure: they are part of the key under which the cache finds the driver.
     stride, step = (1, 0) if functions == GRID else (BLOCK, 1)
@@ -64,10 +48,11 @@ def driver(terms: int, functions: int) -> Driver:
         start: int,
         stop: int,
         count: int,
-        need: int,
-        at: Settings,
-        floats: Addresses,
-        codes: Addresses,
+        point: bool,
+        finish: int,
+        settings: int,
+        floats: int,
+        codes: int,
     ) -> None:
         s = np.empty(SCRATCH_ROWS * BLOCK)
         contracted = np.empty(3 * coordinates * BLOCK)
@@ -78,13 +63,9 @@ def driver(terms: int, functions: int) -> Driver:
                 if functions >= 0:
                     contraction.rows_of_net(r, net, contracted, functions, coordinates, BLOCK)
                     r = contracted
-                contraction.partials(r, d, s, need == FULL, terms, BLOCK, stride, step)
+                contraction.partials(r, d, s, point, terms, BLOCK, stride, step)
                 j = block * BLOCK
-                n, offset = min(BLOCK, count - j), i * count + j
-                if need == KH:
-                    gaussian_and_mean(s, n, offset, at, floats)
-                else:
-                    fill(s, n, offset, need == FULL, at, floats, codes)
+                call(finish, s.ctypes.data, min(BLOCK, count - j), i * count + j, settings, floats, codes)
         fence()
 
     return drive

@@ -9,6 +9,7 @@ the machine code: fused multiply-adds on full-width registers, packed roots and 
 """
 
 from collections.abc import Iterable
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
@@ -17,7 +18,7 @@ from numpy.typing import NDArray
 from quintrig import classify, curvature, invariants
 from quintrig.arrays import FloatArray
 from quintrig.blocks import BLOCK
-from quintrig.compiled import codes_at, floats_at, loop, scalar, stream_line
+from quintrig.compiled import address, codes_at, floats_at, loop, scalar, stream_line, words_at
 from quintrig.contraction import DU, DUU, DUV, DV, DVV, PARTIALS
 from quintrig.curvature import Three
 from quintrig.quantity import QUANTITIES
@@ -82,11 +83,21 @@ def needs(keys: Iterable[str]) -> int:
     return FORM if wanted <= _OF_FORM else FULL
 
 
+@cache
+def finish(need: int) -> int:
+    """Return the address of the compiled function that turns partial derivatives into planes.
+
+    It takes, as addresses or numbers: scratch, how many points of the block to write, how many points after the
+    planes' starts, settings, ``floats`` and ``codes``.
+    """
+    return address((_gaussian_and_mean, _form_planes, _all_planes)[need])
+
+
 @loop
-def gaussian_and_mean(s: FloatArray, n: int, offset: int, at: Settings, floats: Addresses) -> None:
-    """Write K and H, and nothing else, of ``n`` points; arguments as in ``fill``."""
+def _gaussian_and_mean(scratch: int, n: int, offset: int, settings: int, floats: int, codes: int) -> None:
+    s, at = floats_at(scratch), _settings(settings)
     # Straight to the planes; one that is not asked for stays in scratch.
-    scratch, first, second = s.ctypes.data, floats[_GAUSSIAN], floats[_GAUSSIAN + 1]
+    first, second = words_at(floats)[_GAUSSIAN], words_at(floats)[_GAUSSIAN + 1]
     gaussian = floats_at(first + 8 * offset if first else scratch + 8 * _K * BLOCK)
     mean = floats_at(second + 8 * offset if second else scratch + 8 * _H * BLOCK)
     for k in range(n):
@@ -96,13 +107,31 @@ def gaussian_and_mean(s: FloatArray, n: int, offset: int, at: Settings, floats: 
 
 
 @loop
-def fill(s: FloatArray, n: int, offset: int, full: bool, at: Settings, floats: Addresses, codes: Addresses) -> None:
-    """Write ``n`` points from their partial derivatives in ``s`` to the planes, ``offset`` points after their starts.
+def _form_planes(scratch: int, n: int, offset: int, settings: int, floats: int, codes: int) -> None:
+    s, at = floats_at(scratch), _settings(settings)
+    _forms(s, False, at)
+    _write_forms(scratch, n, offset, at, words_at(floats), words_at(codes))
 
-    ``full`` forms point, normal and frame too.
-    """
-    _forms(s, full, at)
-    _write(s, _K, 4, n, offset, floats, _GAUSSIAN, at.stream)
+
+@loop
+def _all_planes(scratch: int, n: int, offset: int, settings: int, floats: int, codes: int) -> None:
+    s, at = floats_at(scratch), _settings(settings)
+    _forms(s, True, at)
+    _write_forms(scratch, n, offset, at, words_at(floats), words_at(codes))
+    _write_frames(scratch, n, offset, at, words_at(floats), words_at(codes))
+
+
+@scalar
+def _settings(start: int) -> Settings:
+    p = floats_at(start)
+    return Settings(p[0], p[1], p[2], p[3], p[4], p[5] != 0.0)
+
+
+@scalar
+def _write_forms(scratch: int, n: int, offset: int, at: Settings, floats: Addresses, codes: Addresses) -> None:
+    """Write what follows from a, b, c."""
+    s = floats_at(scratch)
+    _write(scratch, _K, 4, n, offset, floats, _GAUSSIAN, at.stream)
     if codes[_HK] or codes[_SHAPE] or codes[_POINT_TYPE]:
         for k in range(BLOCK):
             gauss, h, c = s[_K * BLOCK + k], s[_H * BLOCK + k], s[_CURVED * BLOCK + k]
@@ -124,9 +153,7 @@ def fill(s: FloatArray, n: int, offset: int, full: bool, at: Settings, floats: A
         out = codes_at(codes[_SHAPE] + offset)
         for k in range(n):
             out[k] = np.int8(classify.shape_class(s[_S * BLOCK + k], s[_CODE * BLOCK + k]))
-    _write(s, _S, 2, n, offset, floats, _INDEX, at.stream)
-    if full:
-        _frame_planes(s, n, offset, at, floats, codes)
+    _write(scratch, _S, 2, n, offset, floats, _INDEX, at.stream)
 
 
 @scalar
@@ -139,7 +166,7 @@ def _form(s: FloatArray, k: int, at: Settings) -> tuple[Three, float, Three]:
     return normal, inverse, curvature.form_in_frame(du, dv, duu, duv, dvv, normal, inverse, at.sign)
 
 
-@loop
+@scalar
 def _forms(s: FloatArray, full: bool, at: Settings) -> None:
     """Fill the scratch rows that follow from the partial derivatives; normal and frame only if ``full``."""
     for k in range(BLOCK):
@@ -165,11 +192,12 @@ def _forms(s: FloatArray, full: bool, at: Settings) -> None:
             _store(s, _E2, k, (at.sign * e2[0], at.sign * e2[1], at.sign * e2[2]))
 
 
-@loop
-def _frame_planes(s: FloatArray, n: int, offset: int, at: Settings, floats: Addresses, codes: Addresses) -> None:
+@scalar
+def _write_frames(scratch: int, n: int, offset: int, at: Settings, floats: Addresses, codes: Addresses) -> None:
     """Write what needs point, normal or frame."""
-    _write(s, 0, 3, n, offset, floats, _POINT, at.stream)
-    _write(s, _N, 3, n, offset, floats, _NORMAL, at.stream)
+    s = floats_at(scratch)
+    _write(scratch, 0, 3, n, offset, floats, _POINT, at.stream)
+    _write(scratch, _N, 3, n, offset, floats, _NORMAL, at.stream)
     if _any(floats, _FORMS, 6):
         for k in range(BLOCK):
             du, dv, normal = _three(s, DU, k), _three(s, DV, k), _three(s, _N, k)
@@ -180,16 +208,16 @@ def _frame_planes(s: FloatArray, n: int, offset: int, at: Settings, floats: Addr
             )
             _store(s, _OUT, k, (curvature.dot(du, du), curvature.dot(du, dv), curvature.dot(dv, dv)))
             _store(s, _OUT + 3, k, second)
-        _write(s, _OUT, 6, n, offset, floats, _FORMS, at.stream)
+        _write(scratch, _OUT, 6, n, offset, floats, _FORMS, at.stream)
     if _any(floats, _DIRECTIONS, 6):
         _directions(s, at)
-        _write(s, _OUT, 6, n, offset, floats, _DIRECTIONS, at.stream)
+        _write(scratch, _OUT, 6, n, offset, floats, _DIRECTIONS, at.stream)
     if _any(floats, _SURFACE, 6):
         _invariants(s, True, at.sign)
-        _write(s, _OUT, 6, n, offset, floats, _SURFACE, at.stream)
+        _write(scratch, _OUT, 6, n, offset, floats, _SURFACE, at.stream)
     if codes[_INVARIANT] or _any(floats, _PLANAR, 6):
         _invariants(s, False, at.sign)
-        _write(s, _OUT, 6, n, offset, floats, _PLANAR, at.stream)
+        _write(scratch, _OUT, 6, n, offset, floats, _PLANAR, at.stream)
     if codes[_INVARIANT]:
         out = codes_at(codes[_INVARIANT] + offset)
         for k in range(n):
@@ -230,17 +258,17 @@ def _invariants(s: FloatArray, surface: bool, sign: float) -> None:
 
 
 @loop
-def _write(s: FloatArray, row: int, rows: int, n: int, offset: int, floats: Addresses, slot: int, stream: bool) -> None:
+def _write(scratch: int, row: int, rows: int, n: int, offset: int, floats: Addresses, slot: int, stream: bool) -> None:
     """Copy ``n`` numbers of each of ``rows`` scratch rows to the planes from ``slot`` on that are asked for."""
     for x in range(rows):
         if floats[slot + x]:
-            target = floats[slot + x] + 8 * offset
-            source, lines = (row + x) * BLOCK, n // 8 if stream else 0
+            source, target = scratch + 8 * (row + x) * BLOCK, floats[slot + x] + 8 * offset
+            lines = n // 8 if stream else 0
             for line in range(lines):
-                stream_line(target + 64 * line, s.ctypes.data + 8 * source + 64 * line)
-            out = floats_at(target)
+                stream_line(target + 64 * line, source + 64 * line)
+            s, out = floats_at(source), floats_at(target)
             for k in range(8 * lines, n):
-                out[k] = s[source + k]
+                out[k] = s[k]
 
 
 @scalar
