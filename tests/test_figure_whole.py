@@ -219,6 +219,20 @@ def test_a_picture_in_space_says_what_its_zero_lines_are(keys, expected):
     assert expected in words(figure.panels(wavy(), keys, coarse()))
 
 
+@pytest.mark.parametrize(
+    ("surface", "gaussian", "mean"),
+    [("sphere", False, False), ("cylinder", False, False), ("torus", True, False), ("wavy", True, True)],
+)
+def test_lines_are_spoken_of_only_where_they_are_drawn(surface, gaussian, mean):
+    s = SURFACES[surface]
+    for drawn in (figure.flat_map(s, "shape_index"), figure.map_panels(s, ("gaussian", "mean"))):
+        assert ("solid line: $K = 0$" in words(drawn)) == gaussian
+        assert ("dashed line: $H = 0$" in words(drawn)) == mean
+    in_space = figure.panels(s, ("gaussian", "mean"), coarse())
+    assert ("solid line: $K = 0$" in words(in_space)) == gaussian
+    assert ("dashed line: $H = 0$" in words(in_space)) == mean
+
+
 def test_a_picture_without_zero_lines_speaks_of_none():
     assert "line:" not in words(figure.panels(wavy(), ("curvedness", "hk_type"), coarse()))
     assert "line:" not in words(figure.space_picture(wavy(), "gaussian", coarse(zeros=False)))

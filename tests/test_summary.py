@@ -64,8 +64,8 @@ def test_the_poles_of_a_sphere_are_told():
     result = summarise(quintrig.sphere(), samples=33)
     assert result.singular.edges == ("u = 0", "u = 1")
     assert result.singular.count == 66
-    only(result.warnings, "66 of 1089", "u = 0", "u = 1")
-    only(result.warnings, "The edge u = 0 is a single point")
+    only(result.warnings, "66 of 1089", "The edges u = 0 and u = 1 are single points")
+    assert len(result.warnings) == 1
     only(result.notes, "33 of 1089", "vertical")
     assert not any("vertical" in line for line in result.warnings)
     assert result.integrals.bending_energy.converged
@@ -146,9 +146,10 @@ def test_coincident_points_are_told():
 def test_a_surface_that_is_a_point_or_a_line_is_told_once(place):
     lines = warnings(quintrig.tensor(np.full((6, 6, 3), place)))
     only(lines, "single point")
-    only(lines, "bending energy is undefined")
+    assert len(lines) == 1
     lines = warnings(quintrig.tensor(NET * [1, 0, 0]))
     only(lines, "All 1089 sample points are singular")
+    assert not [line for line in lines if "undefined" in line or "tolerance" in line]
 
 
 def test_shape_parameters_are_found_where_they_act():

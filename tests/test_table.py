@@ -197,6 +197,24 @@ def test_markdown_is_one_table_with_a_cell_for_every_column():
     assert r"**Bars \| and \*stars\***" in to_markdown(table)
 
 
+def test_markdown_takes_nothing_of_a_title_or_unit_for_its_own():
+    title = "A & B [see](x) <b> $m$ `c` ~~d~~ \\ |e| _f_\nline"
+    text = to_markdown(tabulate(SWEPT, 0.5, 0.5, ["gaussian"], title=title, unit="m|m & $x$"))
+    first = text.splitlines()[0]
+    assert first.startswith("**A ")
+    assert first.endswith("line**")
+    bare = re.sub(r"\\.", "", text.replace("**", ""))  # without what is escaped
+    bare = "".join(line for line in bare.splitlines(keepends=True) if not line.startswith("|"))
+    assert not set("&[]<>$`~|_*\\") & set(bare)
+    row = next(line for line in text.splitlines() if line.startswith("| u"))
+    assert len(re.findall(r"(?<!\\)\|", row)) == 7
+
+
+def test_a_title_of_two_lines_is_one_in_markdown():
+    text = to_markdown(tabulate(SWEPT, 0.5, 0.5, ["gaussian"], title="a\nb"))
+    assert "**a b**" in text
+
+
 def test_latex_is_well_formed():
     table = tabulate(SWEPT, *quintrig.grid(3, 2), metric="both", unit="mm", title="50% of A&B_1 {x} #2")
     text = to_latex(table)

@@ -1,6 +1,6 @@
 """What a reader of a surface's numbers must be warned of, in words, one sentence each."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -99,7 +99,7 @@ def find_cautions(
     singular = find_singular(sample)
     if singular.count == singular.samples:
         return (singular.describe(), *_points(surface))
-    told = [singular.describe(), *_edges(surface, size), *_parameters(surface, unit), *_points(surface)]
+    told = [*_singular(surface, singular, size), *_parameters(surface, unit), *_points(surface)]
     regressive = _regression(surface)
     told += regressive or _folds(sample)
     told += [*_unbounded(extremes), *_trimmed(surface, sample)]
@@ -128,24 +128,44 @@ def _trimmed(surface: Surface, sample: Sample) -> list[str]:
     ]
 
 
-def _edges(surface: Surface, size: float) -> list[str]:
-    """Collapsed edges, and edges across which the derivative vanishes."""
+def _singular(surface: Surface, singular: Singular, size: float) -> list[str]:
+    """Singular points: their number and place, once, and what becomes of the edges that are singular as a whole."""
+    points, still = _edges(surface, size)
+    lines = list(still.values())
+    if points:
+        one = len(points) == 1
+        where = f"The edge {points[0]} is a single point" if one else f"The edges {_listed(points)} are single points"
+        lines.insert(0, f"{where}, such as a pole or an apex: S_u × S_v = 0 all along {'it' if one else 'them'}.")
+    others = len(singular.corners) + singular.on_edges + singular.inside
+    if not lines or others or not set(singular.edges) <= {*points, *still}:
+        return [singular.describe(), *lines]
+    lines[-1] += f" In all {singular.count} of {singular.samples} sample points are singular."
+    return lines
+
+
+def _listed(words: Sequence[str]) -> str:
+    return " and ".join((", ".join(words[:-1]), words[-1]))
+
+
+def _edges(surface: Surface, size: float) -> tuple[list[str], dict[str, str]]:
+    """Edges that collapse to a point, and what is to be said of those across which the derivative vanishes."""
     t = np.linspace(0.0, 1.0, _ALONG)
     bases = shape_parameters(surface)
-    told: list[str] = []
+    points: list[str] = []
+    still: dict[str, str] = {}
     for edge in EDGES:
         name, end = edge[0], float(edge[-1])
         there = np.full_like(t, end)
         partials = surface.partials(there, t, 1) if name == "u" else surface.partials(t, there, 1)
         if np.ptp(partials[0, 0], axis=0).max() <= SINGULAR * size:
-            told.append(f"The edge {edge} is a single point, such as a pole or an apex: S_u × S_v = 0 all along it.")
+            points.append(edge)
         across = partials[1, 0] if name == "u" else partials[0, 1]
         if np.abs(across).max() <= SINGULAR * size:
-            told.append(
+            still[edge] = (
                 f"S_{name} vanishes along the edge {edge}{_cause(bases.get(name), name, end)}: the surface is singular "
                 "there, and the curvature beside it is in general unbounded."
             )
-    return told
+    return points, still
 
 
 def _cause(basis: Trigonometric | None, name: str, end: float) -> str:

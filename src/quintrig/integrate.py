@@ -15,7 +15,7 @@ import numpy as np
 from quintrig.arrays import FloatArray
 from quintrig.quadrature import NODES, Integral, checked_tolerance, converge, panel_sums
 from quintrig.quantity import BY_KEY, Quantity, quantity
-from quintrig.sample import Sample, analyse
+from quintrig.sample import Sample, analyse, grid
 from quintrig.surface import Surface
 
 INTEGRALS: tuple[Quantity, ...] = (
@@ -67,6 +67,7 @@ INTEGRALS: tuple[Quantity, ...] = (
 )
 """The integrals, in the order of tables; ``parity`` and ``power`` as for the quantities at a point."""
 
+_LAST = 1e-14  # of the coordinates
 _NOISE = 1e-12  # curvedness times size that is rounding of a plane, as in ``sample``
 
 
@@ -110,8 +111,8 @@ class Integrals:
             integral = self[row.key]
             if integral.status == "grows without bound":
                 notes.append(
-                    f"The {row.name} grows with every refinement, by {integral.error:.3g} in the last, and is probably "
-                    "infinite: the curvature is unbounded at a singular point or edge."
+                    f"The {row.name} is probably infinite: every refinement adds to it, the last one "
+                    f"{integral.error:.3g}, because the curvature is unbounded at a singular point or edge."
                 )
             elif integral.status == "not converged":
                 notes.append(
@@ -138,6 +139,9 @@ def integrals(surface: Surface, tolerance: float = 1e-9, panels: int = 64) -> In
     """
     tolerance = checked_tolerance(tolerance)
     size = surface.size
+    # What is left of the points' last digits where differences of them should vanish, as on a surface that is a point.
+    reach = float(np.abs(surface(*grid(3, 3))).max())
+    rounding = (_LAST * reach) ** 2 * np.array([1.0, 0.0, 0.0, 0.0, 1e4, 0.0])
 
     def measure(count: int) -> tuple[FloatArray, FloatArray, FloatArray]:
         area, total, mean, bending, plate, curvedness, undefined = panel_sums(
@@ -148,13 +152,14 @@ def integrals(surface: Surface, tolerance: float = 1e-9, panels: int = 64) -> In
         scales = np.array([area, root, curvedness, bending, plate, 1.0])
         bent = _NOISE * root + (plane**2 / area if area > 0.0 else 0.0)
         noise = np.array([_NOISE * size**2, bent, plane, bent, (_NOISE * size) ** 2, 1.0])
-        return np.array([area, total, mean, bending, plate, undefined]), scales, noise
+        return np.array([area, total, mean, bending, plate, undefined]), scales, noise + rounding
 
     results, count = converge(measure, tolerance, panels)
     undefined = min(results[5].value, 1.0)
     if undefined > 1.0 - 1e-9:
         results[1:4] = [Integral(np.nan, np.nan, "undefined")] * 3
         undefined = 1.0
+    results = [replace(r, value=0.0) if abs(r.value) <= x else r for r, x in zip(results, rounding, strict=True)]
     area, total, mean, bending, plate = results[:5]
     points = (NODES * count) ** 2
     return Integrals(area, total, mean, bending, plate, tolerance, points, undefined, orientation(surface))

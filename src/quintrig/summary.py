@@ -75,6 +75,7 @@ def summarise(
     points = sample.point.reshape(-1, 3)
     box = np.stack([points.min(axis=0), points.max(axis=0)])
     box.setflags(write=False)
+    singular = find_singular(sample)
     size = sample.size
     words = sample.thresholds.describe(size, unit) if size > 0.0 else "none: the surface is a single point"
     return Summary(
@@ -86,8 +87,11 @@ def summarise(
         found,
         MappingProxyType(extremes),
         MappingProxyType(shares),
-        find_singular(sample),
-        (*find_cautions(surface, sample, extremes, unit), *found.cautions),
+        singular,
+        (
+            *find_cautions(surface, sample, extremes, unit),
+            *(found.cautions if singular.count < sample.singular.size else ()),
+        ),
         find_notes(sample),
     )
 

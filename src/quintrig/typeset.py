@@ -49,14 +49,14 @@ def to_json(table: Table) -> str:
 
 def to_markdown(table: Table) -> str:
     """Return a Markdown table with six significant figures, after its title and notes."""
-    lines = [f"**{_escape(table.title, '*_`<|')}**", ""] if table.title else []
+    lines = [f"**{_escape(' '.join(table.title.split()))}**", ""] if table.title else []
     for note in table.notes:
-        lines += [_escape(note, "*_`<|"), ""]
-    lines.append("| " + " | ".join(_escape(column.heading, "*_|") for column in table.columns) + " |")
+        lines += [_escape(note), ""]
+    lines.append("| " + " | ".join(_escape(column.heading) for column in table.columns) + " |")
     rules = ("---" if column.is_text else "---:" for column in table.columns)
     lines.append("| " + " | ".join(rules) + " |")
     rows = zip(*(column.rounded for column in table.columns), strict=True)
-    lines += ["| " + " | ".join(map(shown, row)) + " |" for row in rows]
+    lines += ["| " + " | ".join(_escape(shown(value)) for value in row) + " |" for row in rows]
     return "\n".join(lines) + "\n"
 
 
@@ -183,5 +183,6 @@ def _sentence(text: str) -> str:
     return text if not text or text.endswith((".", "!", "?")) else text + "."
 
 
-def _escape(text: str, characters: str) -> str:
-    return "".join(f"\\{c}" if c in characters else c for c in text)
+def _escape(text: str) -> str:
+    r"""Return text without what Markdown takes for its own: emphasis, code, links, entities, tags, cells, formulas."""
+    return "".join(f"\\{c}" if c in "\\`*_[]<>&|$~" else c for c in text)

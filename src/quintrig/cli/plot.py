@@ -121,7 +121,7 @@ def _scene(view: str, net: bool, lines: int, marks: "tuple[Mark, ...]", keys: li
     from quintrig.figure import ISO, Scene
 
     return Scene(
-        view=ISO if view == "all" else read_view(view),
+        view=ISO if view == "all" else read_view(view, ("all", "flat")),
         net=net,
         isolines=lines,
         marks=marks,
@@ -129,8 +129,8 @@ def _scene(view: str, net: bool, lines: int, marks: "tuple[Mark, ...]", keys: li
     )
 
 
-def read_view(text: str) -> "View":
-    """Return the view asked for; ValueError naming those there are."""
+def read_view(text: str, others: Sequence[str] = ()) -> "View":
+    """Return the view asked for; ValueError naming those there are, and the ``others`` that the command knows."""
     from quintrig.figure import VIEWS, View
 
     if text in VIEWS:
@@ -138,7 +138,7 @@ def read_view(text: str) -> "View":
     try:
         azimuth, elevation = session.numbers(text, 2, "--view")
     except ValueError:
-        names = ", ".join(VIEWS)
+        names = ", ".join([*VIEWS, *others])
         raise ValueError(f"--view: expected {names} or AZIMUTH,ELEVATION in degrees, got {text[:40]!r}") from None
     if not (-360.0 <= azimuth <= 360.0 and -90.0 <= elevation <= 90.0):
         raise ValueError(

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from quintrig.classify import Thresholds
 from quintrig.figure.camera import BACK, SIDE, TOP
 from quintrig.figure.field import common_limits, facet_fields
-from quintrig.figure.flat import draw_colours, draw_map, draw_marks, dress, lines_note, map_axes, map_fields
+from quintrig.figure.flat import draw_colours, draw_map, draw_marks, dress, lines_note, map_axes, map_fields, zero_sets
 from quintrig.figure.frame import equal_scale, panel_size, stacked_scale
 from quintrig.figure.legend import draw_class_list, draw_key, key_height, list_height
 from quintrig.figure.palette import SERIES
@@ -79,6 +79,7 @@ def map_comparison(
     columns = columns_for(width, len(surfaces), columns)
     fields = map_fields(surfaces, key, thresholds=thresholds)
     stretch = common_limits(fields)
+    zeros = [zero_sets(surface, f) for surface, f in zip(surfaces, fields, strict=True)]
     side = (width - 0.2 - 0.12 * (columns - 1)) / columns
     page = sheet(
         len(surfaces),
@@ -86,12 +87,12 @@ def map_comparison(
         columns=columns,
         titles=titles,
         title=title or panel_title(key),
-        note="; ".join(part for part in (note(surfaces, fields, unit, thresholds), lines_note(fields)) if part),
+        note="; ".join(part for part in (note(surfaces, fields, unit, thresholds), lines_note(zeros)) if part),
         key="below",
         key_size=key_height([fields], width - 0.2),
     )
-    for area, surface, f in zip(page.panels, surfaces, fields, strict=True):
-        draw_map(map_axes(area), surface, f, stretch, marks)
+    for area, surface, f, lines in zip(page.panels, surfaces, fields, zeros, strict=True):
+        draw_map(map_axes(area), surface, f, stretch, marks, lines)
     draw_key(page.keys[0], fields, stretch, unit)
     return page.figure
 

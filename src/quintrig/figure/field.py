@@ -101,13 +101,23 @@ def common_limits(fields: Sequence[Field]) -> Limits | None:
     return limits([f.values for f in fields], fields[0].quantity, max(f.scale for f in fields))
 
 
+def changes_sign(f: Field) -> bool:
+    """Tell whether a real quantity takes both signs, so that there is a line between them."""
+    signed = _signed(f)
+    return bool(np.any(signed < 0.0) and np.any(signed > 0.0))
+
+
 def zero_lines(f: Field) -> list[FloatArray]:
     """Return the lines (n, 2) in (u, v) where a real quantity changes its sign; none where it is only rounding."""
-    values = np.asarray(f.values, dtype=np.float64)
-    # A zero that is exact, or rounding, counts as positive: a line appears only beside true negative values.
-    signed = np.where(np.abs(values) <= f.noise, f.noise, values)
-    if not np.any(signed < 0.0) or not np.any(signed > 0.0):
+    if not changes_sign(f):
         return []
+    signed = _signed(f)
     masked = np.ma.masked_invalid(np.where(np.isfinite(signed), signed, np.nan))
     drawn = contour_generator(f.v, f.u, masked, line_type=LineType.Separate).lines(0.0)
     return [np.asarray(line, dtype=np.float64)[:, ::-1] for line in drawn]
+
+
+def _signed(f: Field) -> FloatArray:
+    """Return the values, with a zero that is exact or rounding as positive: only true negatives have a line."""
+    values = np.asarray(f.values, dtype=np.float64)
+    return np.where(np.abs(values) <= f.noise, f.noise, values)

@@ -1,6 +1,6 @@
 """Maps over the (u, v) square: a quantity or a classification, its zero lines, labelled points."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from matplotlib import patheffects
@@ -17,6 +17,9 @@ from quintrig.quantity import quantity
 from quintrig.surface import Surface
 
 _SIZE = 7.5
+Zeros = Mapping[str, tuple[FloatArray, ...]]
+"""Lines (n, 2) in (u, v) along which a quantity is zero, by its key."""
+
 _COMPANIONS = {"gaussian": ("gaussian", "mean"), "mean": ("gaussian", "mean"), "shape_index": ("gaussian", "mean")}
 
 
@@ -33,21 +36,20 @@ def draw_map(
     f: Field,
     stretch: Limits | None = None,
     marks: Sequence[Mark] = (),
-    zeros: bool = True,
+    zeros: Zeros | None = None,
 ) -> None:
     """Draw a quantity over (u, v): u to the right, v up.
 
-    ``zeros`` adds the lines K = 0 (solid) and H = 0 (dashed) to maps of K, H and S, and to others with a sign their
-    own zero line. Undefined cells are grey, single undefined points on the edge have a grey mark.
+    ``zeros`` are the lines of ``zero_sets``, dashed for H; those of this field where None. Undefined cells are grey,
+    single undefined points on the edge have a grey mark.
     """
     axes.set_xlim(0.0, 1.0)
     axes.set_ylim(0.0, 1.0)
     draw_colours(axes, f.colours(stretch))
     draw_trim(axes, surface)
     _undefined(axes, f)
-    for key in zero_keys(f) if zeros else ():
-        nodes = np.linspace(0.0, 1.0, 241)
-        for line in zero_lines(field(surface, key, nodes, nodes)):
+    for key, lines in (zero_sets(surface, f) if zeros is None else zeros).items():
+        for line in lines:
             style = (0, (4, 2)) if key == "mean" else "solid"
             axes.plot(line[:, 0], line[:, 1], color=INK, linewidth=0.9, linestyle=style, zorder=3)
     for line in regression_parameters(surface):
@@ -61,15 +63,20 @@ def map_axes(area: Area) -> Axes:
     return area.inside(0.42, 0.32, area.width - 0.48, area.height - 0.38)
 
 
-def lines_note(fields: Sequence[Field]) -> str:
+def lines_note(drawn: Sequence[Zeros]) -> str:
     """Return what the zero lines on maps mean, empty where there are none."""
-    return zeros_note([quantity(key) for f in fields for key in zero_keys(f)])
+    return zeros_note([quantity(key) for zeros in drawn for key in zeros])
 
 
-def zero_keys(f: Field) -> tuple[str, ...]:
-    """Return the quantities whose zero lines belong on a map."""
+def zero_sets(surface: Surface, f: Field) -> Zeros:
+    """Return the zero lines that belong on a map, by quantity, of those that have any.
+
+    K = 0 and H = 0 for maps of K, H and S, their own for others with a sign.
+    """
     own = (f.quantity.key,) if f.quantity.colour == "diverging" else ()
-    return _COMPANIONS.get(f.quantity.key, own)
+    nodes = np.linspace(0.0, 1.0, 241)
+    found = {key: tuple(zero_lines(field(surface, key, nodes, nodes))) for key in _COMPANIONS.get(f.quantity.key, own)}
+    return {key: lines for key, lines in found.items() if lines}
 
 
 def draw_colours(axes: Axes, colours: FloatArray) -> None:

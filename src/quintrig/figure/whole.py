@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 
 from quintrig.classify import Thresholds
 from quintrig.figure.field import common_limits, facet_fields
-from quintrig.figure.flat import draw_map, lines_note, map_axes, map_fields
+from quintrig.figure.flat import draw_map, lines_note, map_axes, map_fields, zero_sets
 from quintrig.figure.frame import panel_size
 from quintrig.figure.legend import draw_class_list, draw_key, key_height, key_width
 from quintrig.figure.scene import Mark, Scene, bounds, share_outside
@@ -66,9 +66,10 @@ def flat_map(
     stretch = common_limits(fields)
     key_size = key_width(fields)
     side = width - key_size - 0.2
-    text = _sentence(note([surface], fields, unit, thresholds), lines_note(fields))
+    zeros = zero_sets(surface, fields[0])
+    text = _sentence(note([surface], fields, unit, thresholds), lines_note([zeros]))
     page = sheet(1, (side, side), title=title, note=text, key="right", key_size=key_size)
-    draw_map(map_axes(page.panels[0]), surface, fields[0], stretch, marks)
+    draw_map(map_axes(page.panels[0]), surface, fields[0], stretch, marks, zeros)
     draw_key(page.keys[0], fields, stretch, unit)
     return page.figure
 
@@ -132,19 +133,20 @@ def map_panels(
     columns = columns_for(width, len(keys), columns)
     side = (width - 0.2 - 0.12 * (columns - 1)) / columns
     drawn = [fields[0] for fields in every]
+    zeros = [zero_sets(surface, f) for f in drawn]
     page = sheet(
         len(keys),
         (side, side),
         columns=columns,
         titles=[panel_title(key) for key in keys],
         title=title,
-        note=_sentence(note([surface], drawn, unit, thresholds), lines_note(drawn)),
+        note=_sentence(note([surface], drawn, unit, thresholds), lines_note(zeros)),
         key="each",
         key_size=key_height(every, side),
     )
     for index, fields in enumerate(every):
         stretch = common_limits(fields)
-        draw_map(map_axes(page.panels[index]), surface, fields[0], stretch, marks)
+        draw_map(map_axes(page.panels[index]), surface, fields[0], stretch, marks, zeros[index])
         draw_key(page.keys[index], fields, stretch, unit)
     return page.figure
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from quintrig.classify import Thresholds
 from quintrig.figure.edge import regression_note
-from quintrig.figure.field import Field
+from quintrig.figure.field import Field, changes_sign
 from quintrig.quantity import Quantity
 from quintrig.surface import Surface
 
@@ -105,7 +105,9 @@ def note(
     if any(f.quantity.colour == "classes" for f in fields):
         t = thresholds or Thresholds()
         parts.append(f"zero means within {_small(t.relative)} of the curvedness, flat within {_small(t.flat)} / size")
-    if zeros and (lines := zeros_note([f.quantity for f in fields if f.quantity.colour == "diverging"])):
+    if zeros and (
+        lines := zeros_note([f.quantity for f in fields if f.quantity.colour == "diverging" and changes_sign(f)])
+    ):
         parts.append(lines)
     text = "; ".join(parts)
     warnings = [regression_note(surface) for surface in surfaces]
