@@ -57,9 +57,20 @@ FLOAT_SLOTS, CODE_SLOTS = _slots()
 FLOAT_PLANES = sum(q.components for q in QUANTITIES if q.colour != "classes")
 CODE_PLANES = len(CODE_SLOTS)
 
-_POINT, _NORMAL, _FORMS = FLOAT_SLOTS["point"], FLOAT_SLOTS["normal"], FLOAT_SLOTS["E"]
-_GAUSSIAN, _DIRECTIONS, _INDEX = FLOAT_SLOTS["gaussian"], FLOAT_SLOTS["direction1"], FLOAT_SLOTS["shape_index"]
-_PLANAR, _SURFACE = FLOAT_SLOTS["beta0"], FLOAT_SLOTS["beta0_surface"]
+
+def _run(*keys: str) -> int:
+    """Return the first plane of quantities that are written together, so must stand together in the table."""
+    order = list(FLOAT_SLOTS)
+    start = order.index(keys[0])
+    found = order[start : start + len(keys)]
+    assert found == list(keys), f"quantity.py: expected {', '.join(keys)} one after the other, found {', '.join(found)}"
+    return FLOAT_SLOTS[keys[0]]
+
+
+_SIX = ("beta0", "beta1", "beta2", "gamma1", "gamma2", "gamma3")
+_POINT, _NORMAL, _FORMS = _run("point"), _run("normal"), _run("E", "F", "G", "L", "M", "N")
+_GAUSSIAN, _DIRECTIONS = _run("gaussian", "mean", "k1", "k2"), _run("direction1", "direction2")
+_INDEX, _PLANAR, _SURFACE = _run("shape_index", "curvedness"), _run(*_SIX), _run(*(f"{key}_surface" for key in _SIX))
 _POINT_TYPE, _HK = CODE_SLOTS["point_type"], CODE_SLOTS["hk_type"]
 _SHAPE, _INVARIANT = CODE_SLOTS["shape_class"], CODE_SLOTS["invariant_type"]
 
