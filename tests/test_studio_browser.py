@@ -415,6 +415,18 @@ def test_a_plane_of_a_developable_is_dragged_along_its_normal(context, served):
     assert after[2][:3] == before[2][:3]
     assert after[2][3] != before[2][3]
     assert [after[i] for i in (0, 1, 3, 4, 5)] == [before[i] for i in (0, 1, 3, 4, 5)]
+    page.get_by_label("Snap step").fill("0.25")
+    page.keyboard.press("Enter")
+    page.locator(".toggle", has_text="Snap to").click()
+    page.evaluate(DRAW)
+    at = page.evaluate("document.querySelector('[data-quintrig]').studio.locate('planes[2]')")
+    page.mouse.move(at["x"], at["y"])
+    page.mouse.down()
+    page.mouse.move(at["x"], at["y"] - 25, steps=5)
+    page.mouse.up()
+    snapped = state(page, "model.patches[0].planes")[2][3]
+    assert snapped != after[2][3]
+    assert snapped % 0.25 == pytest.approx(0, abs=1e-9) or snapped % 0.25 == pytest.approx(0.25, abs=1e-9)
 
 
 def test_every_construction_is_edited_by_dragging(context, served):
@@ -818,6 +830,11 @@ def test_exports_through_the_server_are_read_by_others(context, served, tmp_path
     assert wide == pytest.approx(20 * np.pi, rel=1e-6)
 
 
+DEVELOPABLE = {
+    "planes": ((1, 0.1, 0.3, -10), (1, 0.3, 0.32, -10.2), (0.9, 0.6, 0.34, -10.3), (0.7, 0.8, 0.33, -10.6),
+               (0.5, 0.9, 0.31, -10.7), (0.3, 1, 0.28, -11)),
+    "bounds": ((0, 0, 1, 0), (0, 0, 1, -5)), "shape": (0.5, -1),
+}  # fmt: skip
 TENSOR = {"kind": "tensor", "points": [[[i, j, (i - 2.5) ** 2 + (j - 2.5) ** 2] for j in range(6)] for i in range(6)]}
 
 
@@ -852,6 +869,12 @@ def test_the_words_on_the_normal_are_pythons(context, served):
             with page.expect_download() as waiting:
                 page.get_by_role("button", name="Save the table as CSV").click()
             assert f"normal {side} S_u x S_v" in Path(waiting.value.path()).read_text()
+    opened_model(page, {"kind": "developable", **DEVELOPABLE})
+    page.get_by_role("button", name="Pin the point").click()
+    page.evaluate(DRAW)
+    assert float(quintrig.analyse(quintrig.developable(**DEVELOPABLE), 0.5, 0.5)["gaussian"]) != 0.0
+    cells = page.locator(".probe tbody td").all_inner_texts()
+    assert cells[6] == "0"  # K: rounding is not told as curvature
     assert ("sphere", "against", "peak") in seen
     assert ("sphere", "along", "pit") in seen
 

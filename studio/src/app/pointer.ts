@@ -167,7 +167,14 @@ export function listen(canvas: HTMLCanvasElement, around: Surroundings): void {
     const free = handle.free.map((can, i) => can && !settings.locks[i]) as unknown as [boolean, boolean, boolean];
     const target = handle.along ? alongLine(start, handle.along, from, to) : within(start, free, from, to, stage.orbit.axes());
     let point = toModel(around.frame(), target).map((value, i) => (handle.along || free[i] ? value : handle.position[i]!));
-    if (settings.snap && !handle.along) point = point.map((value, i) => (free[i] ? Math.round(value / settings.snapStep) * settings.snapStep : value));
+    const snapped = (value: number) => Math.round(value / settings.snapStep) * settings.snapStep;
+    if (settings.snap && !handle.along) point = point.map((value, i) => (free[i] ? snapped(value) : value));
+    if (settings.snap && handle.along) {
+      // A plane's offset d = -n·p is what is rounded.
+      const n = handle.along, dot = (p: readonly number[]) => p.reduce((sum, x, i) => sum + x * n[i]!, 0);
+      const shift = (-dot(point) - snapped(-dot(point))) / dot(n);
+      point = point.map((x, i) => x + shift * n[i]!);
+    }
     store.editPatch(moved(activePatch(store.state), handle, point), `drag ${handle.id}`);
   }
 }

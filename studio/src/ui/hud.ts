@@ -9,7 +9,7 @@ import type { Stage } from "../view/stage";
 import { button, segmented } from "./controls";
 import { h, icon, ICONS } from "./dom";
 import { short, symbol, unitText, valueText } from "./format";
-import { probe } from "./probe";
+import { probe, told } from "./probe";
 
 const SVG = "http://www.w3.org/2000/svg";
 const AXES = ["x", "y", "z"] as const;
@@ -85,7 +85,7 @@ export class Hud {
       h("div", { class: "tip-point" }, `(${Array.from(point, (x) => short(x)).join(", ")})${state.model.unit ? ` ${state.model.unit}` : ""}`),
       h("table", {}, ...keys.map((key) => {
         const q = QUANTITY[key]!;
-        return row(q.colour === "classes" ? q.name : symbol(q.latex), valueText(q, sample[key]![0]!), unitText(q, state.model.unit));
+        return row(q.colour === "classes" ? q.name : symbol(q.latex), valueText(q, told(sample, q)), unitText(q, state.model.unit));
       })),
       h("div", { class: "tip-words" }, wordsOf("hk_type", sample["hk_type"]![0]!)));
     this.tip.hidden = false;

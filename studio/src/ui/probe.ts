@@ -16,6 +16,13 @@ export function probe(model: Model, pin: Pin): Sample {
   return analyse(build(model.patches[pin.patch]!), [pin.u], [pin.v], true);
 }
 
+/** A value as people are told it: what is rounding beside the curvedness of the point is 0, as in Python's tables. */
+export function told(sample: Sample, q: Quantity, part = 0): number {
+  const value = sample[q.key]![part]!;
+  if (q.colour === "classes" || q.power >= 0) return value;
+  return Math.abs(value) <= 1e-12 * sample["curvedness"]![0]! ** -q.power ? 0 : value;
+}
+
 const normalOf = (patch: Patch, named: boolean): string =>
   `normal ${normalSide(build(patch))} S_u x S_v${named ? ` on ${patch.name.replaceAll("\n", " ")}` : ""}`;
 
@@ -78,7 +85,7 @@ export class ProbePanel {
       const remove = button(icon(ICONS.close), `Remove pin ${i + 1}`, () => this.store.set({ pins: state.pins.filter((one) => one !== pin) }), "tiny");
       return h("tr", {}, h("td", {}, h("span", { class: "pin-number" }, i + 1)), several ? h("td", {}, state.model.patches[pin.patch]!.name) : null,
         h("td", {}, short(pin.u)), h("td", {}, short(pin.v)),
-        ...columns.map(({ q, part }) => h("td", { class: q.colour === "classes" ? "word" : "" }, valueText(q, sample[q.key]![part]!))), h("td", {}, remove));
+        ...columns.map(({ q, part }) => h("td", { class: q.colour === "classes" ? "word" : "" }, valueText(q, told(sample, q, part)))), h("td", {}, remove));
     });
     this.body.replaceChildren(h("table", {}, h("thead", {}, head), h("tbody", {}, ...rows)));
   }

@@ -26,7 +26,7 @@ export function compose(
   if (!choice.legend) return image;
   const surface = cells[0]?.pieces[state.patch]?.surface, side = surface ? `normal ${normalSide(surface)} Su × Sv` : "no surface";
   context.font = `${0.85 * em}px Helvetica, Arial, sans-serif`;
-  context.fillText(`${state.model.name} · ${side}${state.model.unit ? ` · ${state.model.unit}` : ""}`, em, height - 1.2 * em);
+  context.fillText(`${state.model.name} · ${side}${state.model.unit ? ` · lengths in ${state.model.unit}` : ""}`, em, height - 1.2 * em);
   const q = QUANTITY[state.settings.quantity];
   if (!q) return image;
   const unit = unitText(q, state.model.unit), title = `${capital(q.name)}${q.colour === "classes" ? "" : ` ${q.symbol}`}${unit ? ` (${unit})` : ""}`;
