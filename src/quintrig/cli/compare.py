@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from quintrig.cli import session
+from quintrig.cli.options import WhichPatch
 from quintrig.cli.show import print_table
 from quintrig.errors import QuintrigError
 
@@ -47,7 +48,7 @@ def compare(
         str, typer.Option("-q", "--quantities", metavar="KEYS", help="What the pictures show.")
     ] = "gaussian,mean",
     view: Annotated[str, typer.Option(metavar="VIEW", help="iso, side, back, top, or AZIMUTH,ELEVATION.")] = "iso",
-    patch: Annotated[str | None, typer.Option(metavar="NAME", help="Which surface of a model with several.")] = None,
+    patch: WhichPatch = None,
 ) -> None:
     """Show the effect of shape parameters: several sets side by side.
 

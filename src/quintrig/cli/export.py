@@ -6,6 +6,7 @@ from typing import Annotated, Literal
 import typer
 
 from quintrig.cli import session
+from quintrig.cli.options import ModelFile, OnlyPatch
 
 _EPILOG = session.examples(
     ("quintrig export lid.toml lid.step", "the exact surface for CAD, read back and compared"),
@@ -22,7 +23,7 @@ def register(app: typer.Typer) -> None:
 
 
 def export(
-    model: Annotated[Path, typer.Argument(metavar="MODEL", help="Model file, or a CAD file.", show_default=False)],
+    model: ModelFile,
     output: Annotated[
         Path,
         typer.Argument(
@@ -31,9 +32,7 @@ def export(
             show_default=False,
         ),
     ],
-    patch: Annotated[
-        str | None, typer.Option(metavar="NAME", help="Only this surface of a model with several.")
-    ] = None,
+    patch: OnlyPatch = None,
     face: Annotated[
         list[int] | None, typer.Option(metavar="N", help="Only this face of a CAD file. Repeatable.")
     ] = None,

@@ -6,6 +6,7 @@ from typing import Annotated, Literal
 import typer
 
 from quintrig.cli import session
+from quintrig.cli.options import Face, ModelFile, WhichPatch
 
 _EPILOG = session.examples(
     ("quintrig flatten duct.toml duct.dxf", "outline, bend lines, dimensions, on layers"),
@@ -21,12 +22,12 @@ def register(app: typer.Typer) -> None:
 
 
 def flatten(
-    model: Annotated[Path, typer.Argument(metavar="MODEL", help="Model file, or a CAD file.", show_default=False)],
+    model: ModelFile,
     output: Annotated[
         Path, typer.Argument(metavar="OUT", help="A name ending in .dxf, .svg or .pdf.", show_default=False)
     ],
-    patch: Annotated[str | None, typer.Option(metavar="NAME", help="Which surface of a model with several.")] = None,
-    face: Annotated[int | None, typer.Option(metavar="N", help="Which face of a CAD file.")] = None,
+    patch: WhichPatch = None,
+    face: Face = None,
     thickness: Annotated[float, typer.Option(metavar="LENGTH", help="Thickness of the sheet.")] = 0.0,
     k_factor: Annotated[
         float, typer.Option(metavar="K", help="Place of the neutral layer from the inside of a bend, share of it.")

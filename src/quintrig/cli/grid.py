@@ -6,6 +6,7 @@ from typing import Annotated
 import typer
 
 from quintrig.cli import session
+from quintrig.cli.options import Face, ModelFile, WhichPatch
 
 _EPILOG = session.examples(
     ("quintrig grid lid.toml lid.zarr --size 4000x4000", "K and H at 16 million points"),
@@ -19,7 +20,7 @@ def register(app: typer.Typer) -> None:
 
 
 def grid(
-    model: Annotated[Path, typer.Argument(metavar="MODEL", help="Model file, or a CAD file.", show_default=False)],
+    model: ModelFile,
     output: Annotated[
         Path, typer.Argument(metavar="OUT", help="A name ending in .zarr or .parquet.", show_default=False)
     ],
@@ -27,8 +28,8 @@ def grid(
     quantities: Annotated[
         str, typer.Option("-q", "--quantities", metavar="KEYS", help="Such as gaussian,mean,hk_type.")
     ] = "gaussian,mean",
-    patch: Annotated[str | None, typer.Option(metavar="NAME", help="Which surface of a model with several.")] = None,
-    face: Annotated[int | None, typer.Option(metavar="N", help="Which face of a CAD file.")] = None,
+    patch: WhichPatch = None,
+    face: Face = None,
 ) -> None:
     """Compute quantities on a grid of any size, in constant memory.
 

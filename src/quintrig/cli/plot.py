@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from quintrig.cli import session
-from quintrig.cli.show import list_quantities
+from quintrig.cli.options import Face, Listing, ModelFile, OnlyPatch
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -31,7 +31,7 @@ def register(app: typer.Typer) -> None:
 
 
 def plot(
-    model: Annotated[Path, typer.Argument(metavar="MODEL", help="Model file, or a CAD file.", show_default=False)],
+    model: ModelFile,
     output: Annotated[
         Path,
         typer.Option(
@@ -58,18 +58,11 @@ def plot(
     shape: Annotated[
         str | None, typer.Option(metavar="NUMBERS", help="Other shape parameters, such as 1,1,-3,-3.")
     ] = None,
-    patch: Annotated[
-        str | None, typer.Option(metavar="NAME", help="Only this surface of a model with several.")
-    ] = None,
+    patch: OnlyPatch = None,
     width: Annotated[float, typer.Option(min=3.0, max=20.0, help="Width in inches.")] = 8.0,
     dpi: Annotated[int, typer.Option(min=30, max=600, help="Dots per inch of a .png.")] = 200,
-    listing: Annotated[
-        bool,
-        typer.Option(
-            "--list", help="Print the quantities there are and stop.", callback=list_quantities, is_eager=True
-        ),
-    ] = False,
-    face: Annotated[int | None, typer.Option(metavar="N", help="Which face of a CAD file.")] = None,
+    listing: Listing = False,
+    face: Face = None,
 ) -> None:
     """Draw a model in space, with true proportions, or as flat maps over its parameters.
 

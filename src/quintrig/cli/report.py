@@ -6,6 +6,7 @@ from typing import Annotated
 import typer
 
 from quintrig.cli import session
+from quintrig.cli.options import Face, ModelFile
 
 _EPILOG = session.examples(
     ("quintrig report car_boot.toml out/car_boot", "writes the page into the folder out/car_boot"),
@@ -19,9 +20,9 @@ def register(app: typer.Typer) -> None:
 
 
 def report(
-    model: Annotated[Path, typer.Argument(metavar="MODEL", help="Model file, or a CAD file.", show_default=False)],
+    model: ModelFile,
     out: Annotated[Path, typer.Argument(metavar="OUT", help="Folder or .html file to write.", show_default=False)],
-    face: Annotated[int | None, typer.Option(metavar="N", help="Which face of a CAD file.")] = None,
+    face: Face = None,
 ) -> None:
     """Write a page on a model: figures, tables, integrals, how far the methods agree, warnings."""
     loaded = session.load(model, face)

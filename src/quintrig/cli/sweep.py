@@ -7,6 +7,7 @@ import typer
 
 from quintrig.cli import session
 from quintrig.cli.ending import printable
+from quintrig.cli.options import WhichPatch
 
 if TYPE_CHECKING:
     from quintrig.arrays import FloatArray
@@ -53,7 +54,7 @@ def sweep(
     samples: Annotated[int, typer.Option(help="Number of designs of a sample.")] = 0,
     seed: Annotated[int, typer.Option(help="Seed of a sample.")] = 0,
     points: Annotated[int, typer.Option(help="Points a side at which each design is evaluated.")] = 32,
-    patch: Annotated[str | None, typer.Option(metavar="NAME", help="Which surface of a model with several.")] = None,
+    patch: WhichPatch = None,
     scheduler: Annotated[
         str | None, typer.Option(metavar="ADDRESS", help="A dask.distributed scheduler, such as tcp://host:8786.")
     ] = None,

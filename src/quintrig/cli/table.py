@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from quintrig.cli import session
-from quintrig.cli.show import list_quantities, print_table
+from quintrig.cli.options import Face, Listing, ModelFile, WhichPatch
+from quintrig.cli.show import print_table
 
 if TYPE_CHECKING:
     from quintrig.arrays import FloatArray
@@ -30,7 +31,7 @@ def register(app: typer.Typer) -> None:
 
 
 def table(
-    model: Annotated[Path, typer.Argument(metavar="MODEL", help="Model file, or a CAD file.", show_default=False)],
+    model: ModelFile,
     at: Annotated[
         list[str] | None, typer.Option(metavar="U,V", help="A point, u and v in the domain from 0 to 1. Repeatable.")
     ] = None,
@@ -49,7 +50,7 @@ def table(
     metric: Annotated[
         Literal["planar", "surface", "both"], typer.Option(help="Metric of the six invariants.")
     ] = "planar",
-    patch: Annotated[str | None, typer.Option(metavar="NAME", help="Which surface of a model with several.")] = None,
+    patch: WhichPatch = None,
     form: Annotated[
         Literal["text", "csv", "json", "md", "latex"] | None,
         typer.Option("-f", "--format", help="Otherwise the ending of the output file tells: .csv .json .md .tex"),
@@ -57,13 +58,8 @@ def table(
     output: Annotated[
         Path | None, typer.Option("-o", "--output", metavar="FILE", help="Write to this file, not to the screen.")
     ] = None,
-    listing: Annotated[
-        bool,
-        typer.Option(
-            "--list", help="Print the quantities there are and stop.", callback=list_quantities, is_eager=True
-        ),
-    ] = False,
-    face: Annotated[int | None, typer.Option(metavar="N", help="Which face of a CAD file.")] = None,
+    listing: Listing = False,
+    face: Face = None,
 ) -> None:
     """Give position, curvatures, types and invariants at chosen points.
 
