@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 
 from quintrig.arrays import FloatArray
 from quintrig.figure.palette import INK
-from quintrig.figure.wording import normal_note, plain
+from quintrig.figure.wording import exponent, normal_note, number_text, plain, with_unit
 from quintrig.quantity import BY_KEY
 from quintrig.surface import Surface
 from quintrig.sweep.part import column_unit
@@ -63,10 +63,11 @@ def parallel_coordinates(
         low, high, height = _scaled(rows[name][chosen])
         heights.append(height)
         axes.axvline(place, color=INK, lw=0.8, zorder=3)
+        power = _power(low, high)
         for y, value, side in ((0.0, low, "top"), (1.0, high, "bottom")):
             offset = -0.02 if side == "top" else 0.02
-            axes.text(place, y + offset, f"{value:.4g}", ha="center", va=side, fontsize=7.5, color=INK)
-        axes.text(place, 1.11, _label(name, unit), ha="center", va="bottom", fontsize=8.5, color=INK)
+            axes.text(place, y + offset, number_text(value, power), ha="center", va=side, fontsize=7.5, color=INK)
+        axes.text(place, 1.11, _label(name, unit, power), ha="center", va="bottom", fontsize=8.5, color=INK)
     lines = np.stack(
         [np.tile(np.arange(len(names), dtype=float), (len(chosen), 1)), np.stack(heights, axis=1)], axis=-1
     )
@@ -81,7 +82,7 @@ def parallel_coordinates(
     )
     axes.set(xlim=(-0.3, len(names) - 0.7), ylim=(-0.02, 1.02))
     axes.axis("off")
-    _colour_key(page, colour, rows[colour][chosen])
+    _colour_key(page, colour, rows[colour][chosen], unit)
     page.text(0.06, 0.955, _title(total, len(chosen), int((~whole).sum())), fontsize=11, color=INK, va="center")
     page.text(0.06, 0.045, _note(surface, unit), fontsize=8, color=INK, va="center")
     return figure
@@ -96,26 +97,32 @@ def _scaled(values: FloatArray) -> tuple[float, float, FloatArray]:
     return low, high, (values - low) / (high - low) if high > low else np.where(np.isfinite(values), 0.5, np.nan)
 
 
-def _label(name: str, unit: str) -> str:
-    """Return the heading of an axis, with its unit in brackets."""
+def _power(low: float, high: float) -> int:
+    """Return the power of ten that both ends of an axis are told in."""
+    return exponent(max(abs(low), abs(high)))
+
+
+def _label(name: str, unit: str, power: int) -> str:
+    """Return the heading of an axis, with power of ten and unit in brackets."""
     key, _, what = name.rpartition("_")
     if key in BY_KEY:
         text = f"{ {'min': 'least', 'max': 'greatest', 'mean': 'mean'}[what] }\n${BY_KEY[key].latex}$"
     else:
         text = _NAMES.get(name, name.replace("_", " "))
-    measure = plain(column_unit(name, unit))
-    return f"{text}\n({measure})" if measure else text
+    measure = with_unit("", column_unit(name, unit), power).strip()
+    return f"{text}\n{measure}" if measure else text
 
 
-def _colour_key(page: Any, name: str, values: FloatArray) -> None:
+def _colour_key(page: Any, name: str, values: FloatArray, unit: str) -> None:
     """Draw the colour bar at the right."""
     low, high, _ = _scaled(values)
+    power = _power(low, high)
     bar: Any = page.add_axes((0.915, 0.16, 0.012, 0.6))
     bar.imshow(np.linspace(0, 0.92, 128)[:, None], aspect="auto", origin="lower", cmap="viridis", vmin=0, vmax=1)
     bar.set_xticks([])
     bar.yaxis.tick_right()
-    bar.set_yticks([0, 127], [f"{low:.4g}", f"{high:.4g}"], fontsize=7.5)
-    bar.set_title(name.replace("_", "\n"), fontsize=8.5, color=INK)
+    bar.set_yticks([0, 127], [number_text(low, power), number_text(high, power)], fontsize=7.5)
+    bar.set_title(_label(name, unit, power), fontsize=8.5, color=INK)
 
 
 def _title(total: int, drawn: int, left_out: int) -> str:
