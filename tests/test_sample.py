@@ -1,5 +1,6 @@
 """How ``analyse`` works through parameters: shapes, sizes, threads, outputs, and the classes it decides."""
 
+import math
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
@@ -9,6 +10,7 @@ import quintrig
 from catalogue import SHAPES, SURFACES, wave
 from closeness import natural, off, sound
 from quintrig import Thresholds
+from quintrig.arrays import aligned
 from quintrig.basis import Bernstein, Trigonometric
 from quintrig.bspline import clamped
 from quintrig.quantity import BY_KEY, CLASSES, QUANTITIES, SCALARS
@@ -313,27 +315,33 @@ def test_the_arrays_of_a_sample_can_be_used_again(surface):
     assert all(np.shares_memory(again[key], first[key]) for key in BY_KEY)
 
 
-@pytest.mark.parametrize("columns", [512, 509])
-def test_large_results_are_those_of_small_ones(surface, columns):
-    """They are written past the caches where they start on cache lines, which must change nothing."""
-    u, v = quintrig.grid(300, columns)
-    large = quintrig.analyse(surface, u, v)
-    beside = {key: shifted(array) for key, array in large.values.items()}
-    assert_equal(quintrig.analyse(surface, u, v, out=beside), large)
-    for rows in (slice(0, 3), slice(297, 300)):
+@pytest.mark.parametrize("columns", [512, 509, 65])
+@pytest.mark.parametrize("beside", [0, 1, 5, 7])
+def test_large_results_are_those_of_small_ones(surface, columns, beside):
+    """They are written past the caches in whole lines, wherever the arrays start, which must change nothing."""
+    u, v = quintrig.grid(150_000 // columns, columns)
+    arrays = {key: shifted(q, (len(u), columns), beside) for key, q in BY_KEY.items()}
+    for array in arrays.values():
+        array.fill(-99)
+    large = quintrig.analyse(surface, u, v, out=arrays, threads=1 + beside % 3)
+    for start in (0, len(u) // 3, len(u) - 3):
+        rows = slice(start, start + 3)
         part = quintrig.analyse(surface, u[rows], v)
         for key in BY_KEY:
             np.testing.assert_array_equal(part[key], large[key][rows])
-    points = quintrig.analyse(surface, *(array.copy() for array in np.broadcast_arrays(u, v)))
-    np.testing.assert_allclose(points["curvedness"], large["curvedness"], rtol=1e-9)
-    np.testing.assert_array_equal(points["hk_type"], large["hk_type"])
+    for key in SCALARS:
+        assert not (large[key] == -99).any(), key
+    points = quintrig.analyse(surface, *(array.ravel() for array in np.broadcast_arrays(u, v)), threads=2)
+    np.testing.assert_allclose(points["curvedness"].reshape(large.shape), large["curvedness"], rtol=1e-9)
+    np.testing.assert_array_equal(points["hk_type"].reshape(large.shape), large["hk_type"])
 
 
-def shifted(array):
-    """Return an empty array of the same layout that starts beside a cache line."""
-    outermost = np.moveaxis(array, -1, 0) if array.ndim == 3 else array
-    memory = np.empty(outermost.size + 1, array.dtype)[1:].reshape(outermost.shape)
-    return np.moveaxis(memory, 0, -1) if array.ndim == 3 else memory
+def shifted(q, shape, beside):
+    """Return an array for a quantity that starts so many numbers after a cache line."""
+    planes = (q.components, *shape)
+    memory = aligned((math.prod(planes) + 16,), np.int8 if q.colour == "classes" else np.float64)[beside:]
+    result = memory[: math.prod(planes)].reshape(planes)
+    return np.moveaxis(result, 0, -1) if q.components == 3 else result[0]
 
 
 def test_outputs_that_nobody_asked_for_are_refused(surface):

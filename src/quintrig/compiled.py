@@ -98,13 +98,13 @@ def _fence(_context: Any) -> Any:
     return _types.void(), generated
 
 
-def _call(_context: Any, _function: Any, _a: Any, _b: Any, _c: Any, _d: Any, _e: Any, _f: Any) -> Any:
+def _call(_context: Any, _function: Any, _a: Any, _b: Any, _c: Any, _d: Any, _e: Any, _f: Any, _g: Any) -> Any:
     def generated(context: Any, builder: Any, _signature: Any, values: Any) -> Any:
         function = ir.FunctionType(ir.IntType(8).as_pointer(), [value.type for value in values[1:]])
         builder.call(builder.inttoptr(values[0], function.as_pointer()), values[1:])
         return context.get_dummy_value()
 
-    return _types.void(*[_types.intp] * 7), generated
+    return _types.void(*[_types.intp] * 8), generated
 
 
 floats_at = _pointer(_types.float64)
@@ -113,7 +113,7 @@ codes_at = _pointer(_types.int8)
 """Memory at an address, as numbers; whoever gives the address keeps the array alive."""
 
 call = cast(Callable[..., None], _intrinsic(_call))
-"""Call the compiled function at an address with six whole numbers."""
+"""Call the compiled function at an address with seven whole numbers."""
 
 stream_line = cast(Callable[[int, int], None], _intrinsic(_stream))
 """Copy eight numbers to an address at the start of a cache line, past the cache: the line is not read first."""
@@ -122,13 +122,13 @@ fence = cast(Callable[[], None], _intrinsic(_fence))
 """Make all streamed lines visible to other threads."""
 
 
-def address(function: Callable[[int, int, int, int, int, int], None]) -> int:
-    """Return where a loop that takes six whole numbers is found in memory, compiled if need be.
+def address(function: Callable[[int, int, int, int, int, int, int], None]) -> int:
+    """Return where a loop that takes seven whole numbers is found in memory, compiled if need be.
 
     A loop that is called by its address is compiled once; one that is called by its name, anew in every caller.
     """
     compiled = cast(Any, function)
-    signature = (_types.intp,) * 6
+    signature = (_types.intp,) * 7
     compiled.compile(signature)
     found = compiled.overloads[signature]
     return found.library.get_pointer_to_function(found.fndesc.llvm_cfunc_wrapper_name)

@@ -14,7 +14,7 @@ from quintrig import contraction
 from quintrig.arrays import FloatArray
 from quintrig.blocks import BLOCK
 from quintrig.compiled import call, fence, loop
-from quintrig.planes import SCRATCH_ROWS
+from quintrig.planes import FIRST, LAST, SCRATCH
 
 GRID, ROWS = -2, -1
 """What ``rows`` holds instead of functions that the rows share; see ``driver``."""
@@ -54,7 +54,7 @@ def driver(terms: int, functions: int) -> Driver:
         floats: int,
         codes: int,
     ) -> None:
-        s = np.empty(SCRATCH_ROWS * BLOCK)
+        s = np.empty(SCRATCH)
         contracted = np.empty(3 * coordinates * BLOCK)
         for i in range(start, stop):
             for block in range(blend.shape[0]):
@@ -65,7 +65,8 @@ def driver(terms: int, functions: int) -> Driver:
                     r = contracted
                 contraction.partials(r, d, s, point, terms, BLOCK, stride, step)
                 j = block * BLOCK
-                call(finish, s.ctypes.data, min(BLOCK, count - j), i * count + j, settings, floats, codes)
+                end = (FIRST if j == 0 and i == start else 0) + (LAST if j + BLOCK >= count and i + 1 == stop else 0)
+                call(finish, s.ctypes.data, min(BLOCK, count - j), i * count + j, end, settings, floats, codes)
         fence()
 
     return drive

@@ -35,7 +35,7 @@ class Settings(NamedTuple):
     relative: float  # thresholds: see classify.Thresholds
     flat: float  # curvedness, length⁻¹
     noise: float  # curvedness that is rounding of a plane, length⁻¹
-    stream: bool  # whether to write past the caches, which asks for planes that start on cache lines
+    stream: bool  # whether to write past the caches; then a row of the planes is longer than a block
 
 
 def _slots() -> tuple[dict[str, int], dict[str, int]]:
@@ -74,6 +74,9 @@ _INDEX, _PLANAR, _SURFACE = _run("shape_index", "curvedness"), _run(*_SIX), _run
 _POINT_TYPE, _HK = CODE_SLOTS["point_type"], CODE_SLOTS["hk_type"]
 _SHAPE, _INVARIANT = CODE_SLOTS["shape_class"], CODE_SLOTS["invariant_type"]
 
+FIRST, LAST = 1, 2
+"""Marks of the first and the last block of a piece of work."""
+
 KH, FORM, FULL = range(3)
 """How much the planes need: K and H alone; what follows from a, b, c; point, normal and frame too."""
 
@@ -82,6 +85,11 @@ _OF_FORM = {"gaussian", "mean", "k1", "k2", "curvedness", "shape_index", "point_
 # Scratch rows after the partial derivatives, neighbours in the order of their planes
 _K, _H, _K1, _K2, _S, _CURVED, _A, _B, _C, _R, _CODE = range(PARTIALS, PARTIALS + 11)
 _N, _E1, _E2, SCRATCH_ROWS = range(_CODE + 1, _CODE + 11, 3)
+# After the rows, a cache line for each plane
+_LINE = 8
+_KEPT = SCRATCH_ROWS * BLOCK
+SCRATCH = _KEPT + _LINE * FLOAT_PLANES
+"""Numbers in scratch."""
 # The partial derivatives' rows are free again once the frame is known.
 _OUT = DU
 
@@ -99,13 +107,13 @@ def finish(need: int) -> int:
     """Return the address of the compiled function that turns partial derivatives into planes.
 
     It takes, as addresses or numbers: scratch, how many points of the block to write, how many points after the
-    planes' starts, settings, ``floats`` and ``codes``.
+    planes' starts, marks, settings, ``floats`` and ``codes``.
     """
     return address((_gaussian_and_mean, _form_planes, _all_planes)[need])
 
 
 @loop
-def _gaussian_and_mean(scratch: int, n: int, offset: int, settings: int, floats: int, codes: int) -> None:
+def _gaussian_and_mean(scratch: int, n: int, offset: int, end: int, settings: int, floats: int, codes: int) -> None:
     s, at = floats_at(scratch), _settings(settings)
     # Straight to the planes; one that is not asked for stays in scratch.
     first, second = words_at(floats)[_GAUSSIAN], words_at(floats)[_GAUSSIAN + 1]
@@ -118,18 +126,18 @@ def _gaussian_and_mean(scratch: int, n: int, offset: int, settings: int, floats:
 
 
 @loop
-def _form_planes(scratch: int, n: int, offset: int, settings: int, floats: int, codes: int) -> None:
+def _form_planes(scratch: int, n: int, offset: int, end: int, settings: int, floats: int, codes: int) -> None:
     s, at = floats_at(scratch), _settings(settings)
     _forms(s, False, at)
-    _write_forms(scratch, n, offset, at, words_at(floats), words_at(codes))
+    _write_forms(scratch, n, offset, end, at, words_at(floats), words_at(codes))
 
 
 @loop
-def _all_planes(scratch: int, n: int, offset: int, settings: int, floats: int, codes: int) -> None:
+def _all_planes(scratch: int, n: int, offset: int, end: int, settings: int, floats: int, codes: int) -> None:
     s, at = floats_at(scratch), _settings(settings)
     _forms(s, True, at)
-    _write_forms(scratch, n, offset, at, words_at(floats), words_at(codes))
-    _write_frames(scratch, n, offset, at, words_at(floats), words_at(codes))
+    _write_forms(scratch, n, offset, end, at, words_at(floats), words_at(codes))
+    _write_frames(scratch, n, offset, end, at, words_at(floats), words_at(codes))
 
 
 @scalar
@@ -139,10 +147,12 @@ def _settings(start: int) -> Settings:
 
 
 @scalar
-def _write_forms(scratch: int, n: int, offset: int, at: Settings, floats: Addresses, codes: Addresses) -> None:
+def _write_forms(
+    scratch: int, n: int, offset: int, end: int, at: Settings, floats: Addresses, codes: Addresses
+) -> None:
     """Write what follows from a, b, c."""
     s = floats_at(scratch)
-    _write(scratch, _K, 4, n, offset, floats, _GAUSSIAN, at.stream)
+    _write(scratch, _K, 4, n, offset, end, floats, _GAUSSIAN, at.stream)
     if codes[_HK] or codes[_SHAPE] or codes[_POINT_TYPE]:
         for k in range(BLOCK):
             gauss, h, c = s[_K * BLOCK + k], s[_H * BLOCK + k], s[_CURVED * BLOCK + k]
@@ -164,7 +174,7 @@ def _write_forms(scratch: int, n: int, offset: int, at: Settings, floats: Addres
         out = codes_at(codes[_SHAPE] + offset)
         for k in range(n):
             out[k] = np.int8(classify.shape_class(s[_S * BLOCK + k], s[_CODE * BLOCK + k]))
-    _write(scratch, _S, 2, n, offset, floats, _INDEX, at.stream)
+    _write(scratch, _S, 2, n, offset, end, floats, _INDEX, at.stream)
 
 
 @scalar
@@ -204,11 +214,13 @@ def _forms(s: FloatArray, full: bool, at: Settings) -> None:
 
 
 @scalar
-def _write_frames(scratch: int, n: int, offset: int, at: Settings, floats: Addresses, codes: Addresses) -> None:
+def _write_frames(
+    scratch: int, n: int, offset: int, end: int, at: Settings, floats: Addresses, codes: Addresses
+) -> None:
     """Write what needs point, normal or frame."""
     s = floats_at(scratch)
-    _write(scratch, 0, 3, n, offset, floats, _POINT, at.stream)
-    _write(scratch, _N, 3, n, offset, floats, _NORMAL, at.stream)
+    _write(scratch, 0, 3, n, offset, end, floats, _POINT, at.stream)
+    _write(scratch, _N, 3, n, offset, end, floats, _NORMAL, at.stream)
     if _any(floats, _FORMS, 6):
         for k in range(BLOCK):
             du, dv, normal = _three(s, DU, k), _three(s, DV, k), _three(s, _N, k)
@@ -219,16 +231,16 @@ def _write_frames(scratch: int, n: int, offset: int, at: Settings, floats: Addre
             )
             _store(s, _OUT, k, (curvature.dot(du, du), curvature.dot(du, dv), curvature.dot(dv, dv)))
             _store(s, _OUT + 3, k, second)
-        _write(scratch, _OUT, 6, n, offset, floats, _FORMS, at.stream)
+        _write(scratch, _OUT, 6, n, offset, end, floats, _FORMS, at.stream)
     if _any(floats, _DIRECTIONS, 6):
         _directions(s, at)
-        _write(scratch, _OUT, 6, n, offset, floats, _DIRECTIONS, at.stream)
+        _write(scratch, _OUT, 6, n, offset, end, floats, _DIRECTIONS, at.stream)
     if _any(floats, _SURFACE, 6):
         _invariants(s, True, at.sign)
-        _write(scratch, _OUT, 6, n, offset, floats, _SURFACE, at.stream)
+        _write(scratch, _OUT, 6, n, offset, end, floats, _SURFACE, at.stream)
     if codes[_INVARIANT] or _any(floats, _PLANAR, 6):
         _invariants(s, False, at.sign)
-        _write(scratch, _OUT, 6, n, offset, floats, _PLANAR, at.stream)
+        _write(scratch, _OUT, 6, n, offset, end, floats, _PLANAR, at.stream)
     if codes[_INVARIANT]:
         out = codes_at(codes[_INVARIANT] + offset)
         for k in range(n):
@@ -269,17 +281,49 @@ def _invariants(s: FloatArray, surface: bool, sign: float) -> None:
 
 
 @loop
-def _write(scratch: int, row: int, rows: int, n: int, offset: int, floats: Addresses, slot: int, stream: bool) -> None:
+def _write(
+    scratch: int, row: int, rows: int, n: int, offset: int, end: int, floats: Addresses, slot: int, stream: bool
+) -> None:
     """Copy ``n`` numbers of each of ``rows`` scratch rows to the planes from ``slot`` on that are asked for."""
     for x in range(rows):
         if floats[slot + x]:
             source, target = scratch + 8 * (row + x) * BLOCK, floats[slot + x] + 8 * offset
-            lines = n // 8 if stream else 0
-            for line in range(lines):
-                stream_line(target + 64 * line, source + 64 * line)
-            s, out = floats_at(source), floats_at(target)
-            for k in range(8 * lines, n):
+            if stream:
+                _stream(source, target, n, end, scratch + 8 * (_KEPT + _LINE * (slot + x)))
+            else:
+                s, out = floats_at(source), floats_at(target)
+                for k in range(n):
+                    out[k] = s[k]
+
+
+@scalar
+def _stream(source: int, target: int, n: int, end: int, line: int) -> None:
+    """Copy past the caches, in whole lines: what fills none is kept in ``line`` until the next block goes on from it.
+
+    A line that is written partly past the caches and partly through them costs more than either.
+    """
+    s, out, kept = floats_at(source), floats_at(target), floats_at(line)
+    before, done = (target >> 3) & (_LINE - 1), 0
+    if before:
+        done = min(_LINE - before, n)
+        if end & FIRST:
+            for k in range(done):
                 out[k] = s[k]
+        else:
+            for k in range(done):
+                kept[before + k] = s[k]
+            if before + done == _LINE:
+                stream_line(target - 8 * before, line)
+    for _ in range((n - done) // _LINE):
+        stream_line(target + 8 * done, source + 8 * done)
+        done += _LINE
+    for k in range(n - done):
+        kept[k] = s[done + k]
+    if end & LAST:
+        pending = (before + n) & (_LINE - 1)
+        last = floats_at(target + 8 * (n - pending))
+        for k in range(pending):
+            last[k] = kept[k]
 
 
 @scalar
