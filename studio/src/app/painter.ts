@@ -19,6 +19,7 @@ import type { State } from "./state";
 const FRAME_BUDGET = 9; // ms that evaluating everything may take while something moves
 const PROMPT = 20, LATE = 40; // ms from asking for a frame to its beginning: the card keeps up, or is behind
 const LEAST = 36; // points a side
+const STEPS = [1, 0.7, 0.5, 0.35, 0.25]; // of the points a side at rest
 
 export class Painter {
   /** How long the last evaluation took, ms, and at how many points a side. */
@@ -106,7 +107,11 @@ export class Painter {
 
   /** Points a side: as many as can be afforded while something moves, more at rest where classes have edges. */
   private points(settings: Settings, moving: boolean, cells: number): number {
-    if (moving) return Math.min(settings.resolution, this.coarse, Math.round(this.drawable));
+    if (moving) {
+      // A few steps, so that the same buffers serve again.
+      const most = Math.min(this.coarse, this.drawable), steps = STEPS.map((share) => Math.max(LEAST, Math.round(share * settings.resolution)));
+      return Math.min(settings.resolution, steps.find((side) => side <= most) ?? LEAST);
+    }
     return QUANTITY[settings.quantity]?.colour === "classes" && cells === 1 ? 2 * settings.resolution : settings.resolution;
   }
 

@@ -114,8 +114,8 @@ export class SurfaceMesh {
   private prepare(n: number): Buffers {
     const known = this.buffers.get(n);
     if (known) return known;
-    // Two resolutions are in use at a time: that while dragging and that at rest.
-    if (this.buffers.size > 3) {
+    // A few resolutions are in use at a time: those while dragging and that at rest.
+    if (this.buffers.size > 5) {
       const oldest = this.buffers.keys().next().value!;
       this.buffers.get(oldest)!.geometry.dispose();
       this.buffers.get(oldest)!.texture.dispose();
