@@ -10,6 +10,7 @@ from quintrig.model import Model
 from quintrig.sweep import Axis, DesignSpace, Question, Task, count, load_sweep, open_sweep, run, select
 from quintrig.sweep import store as sweep_store
 from quintrig.sweep.part import columns
+from quintrig.typeset import shown
 
 pl = pytest.importorskip("polars")
 pytest.importorskip("pyarrow")
@@ -166,7 +167,16 @@ def test_values_are_those_of_the_files(lids):
     least = select(load_sweep(lids), Question("", "bending_energy"), 1)
     result = quintrig("sweep", lids, "--best", "bending_energy", "--top", 1)
     for name in ("zeta1", "alpha2", "gaussian_max", "bending_energy", "area"):
-        assert f"{least[name][0]:.5g}" in next(line for line in result.out.splitlines() if f" {name} " in line)
+        assert shown(float(least[name][0]), 5) in next(line for line in result.out.splitlines() if f" {name} " in line)
+
+
+def test_infinity_is_told_as_such_and_comes_last(tmp_path):
+    result = quintrig("sweep", CAR, "--vary", "alpha1=-4:1:2", "-o", tmp_path / "s", "--best", "bending_energy")
+    row = next(line for line in result.out.splitlines() if " bending_energy " in line)
+    assert row.rstrip("│ ").endswith("∞")
+    assert row.count("∞") == 1
+    kept = quintrig("sweep", tmp_path / "s", "--where", "bending_energy < 1e12")
+    assert kept.out.startswith("1 of 2 designs")
 
 
 def test_a_finished_run_is_not_done_again(lids):

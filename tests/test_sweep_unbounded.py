@@ -141,6 +141,7 @@ def test_an_edge_of_regression_inside_makes_the_energy_infinite(model):
     assert (row["bending_energy"] == np.inf) == inside
     assert (row["curvedness_max"] == np.inf) == inside
     assert inside == (np.inf in (row["mean_max"], -row["mean_min"]))
+    assert inside == (integrals(surface, 1e-6, 16).bending_energy.status == "grows without bound")
     assert abs(row["gaussian_max"]) < np.inf
 
 

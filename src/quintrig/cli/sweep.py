@@ -180,6 +180,7 @@ def _list(rows: "dict[str, FloatArray]", found: "Sweep") -> None:
     from rich.table import Table
 
     from quintrig.sweep.part import column_unit
+    from quintrig.typeset import shown
 
     console = session.output()
     kept = [name for name, values in rows.items() if not name.startswith("share_") or (values > 0.0).any()]
@@ -196,5 +197,5 @@ def _list(rows: "dict[str, FloatArray]", found: "Sweep") -> None:
         for name in kept:
             values = rows[name][start : start + fit].tolist()
             last = name == found.task.space.names[-1]
-            table.add_row(name, column_unit(name, unit), *(f"{value:.5g}" for value in values), end_section=last)
+            table.add_row(name, column_unit(name, unit), *(shown(value, 5) for value in values), end_section=last)
         console.print(table)
