@@ -4,6 +4,8 @@
 goes through, has a compiled twin here for derivatives 0 to 2; the tests hold the two together.
 """
 
+import math
+
 import numpy as np
 
 from quintrig.arrays import FloatArray, aligned
@@ -17,13 +19,14 @@ BLOCK = 64
 48, 64, 72, 96 and 128."""
 
 
-def increment_blocks(functions: Functions, t: FloatArray) -> FloatArray:
+def increment_blocks(functions: Functions, t: FloatArray, room: FloatArray | None = None) -> FloatArray:
     """Return derivatives 0 to 2 of all increments at ``t`` (n,), shape (blocks, 3, terms, BLOCK).
 
-    The last block is filled up with the last point.
+    The last block is filled up with the last point. The result lies in the flat array ``room`` where one is given.
     """
     padded = pad(t)
-    result: FloatArray = aligned((len(padded), 3, terms(functions), BLOCK))
+    shape = (len(padded), 3, terms(functions), BLOCK)
+    result: FloatArray = aligned(shape) if room is None else room[: math.prod(shape)].reshape(shape)
     if isinstance(functions, Trigonometric):
         _trigonometric(padded, functions.alpha, functions.zeta, result.reshape(len(padded), -1))
     elif isinstance(functions, Joined):

@@ -10,8 +10,9 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from quintrig.arrays import FloatArray, whole
+from quintrig.arrays import FloatArray, aligned, whole
 from quintrig.blocks import BLOCK, increment_blocks, pad
+from quintrig.functions import Functions
 from quintrig.increments import split, terms
 from quintrig.kernel import GRID, ROWS, Driver, driver
 from quintrig.planes import CODE_PLANES, CODE_SLOTS, FLOAT_PLANES, FLOAT_SLOTS, FULL, Addresses, Settings, finish, needs
@@ -67,18 +68,23 @@ def on_grid(surface: Surface, u: FloatArray, v: FloatArray, planes: Planes, thre
     def part(ends: tuple[int, int]) -> None:
         _run(drive, (rows, _NO_NET, blend), ends, v.size, planes, 0, at)
 
-    _spread(part, list(pairwise(edges)), threads)
+    _spread(lambda: part, list(pairwise(edges)), threads)
 
 
 def scattered(surface: Surface, u: FloatArray, v: FloatArray, planes: Planes, threads: int, at: Settings) -> None:
     """Fill planes of shape (components, 1, n) at the n points u (n,), v (n,)."""
 
-    def part(start: int) -> None:
-        piece = slice(start, min(start + _PIECE, u.size))
-        inputs, sizes = _inputs(surface, u[piece], v[piece])
-        _run(driver(*sizes), inputs, (0, 1), piece.stop - start, planes, start, at)
+    def worker() -> Callable[[int], None]:
+        sizes, inputs = _inputs(surface, min(_PIECE, u.size))
+        drive = driver(*sizes)
 
-    _spread(part, range(0, u.size, _PIECE), threads)
+        def part(start: int) -> None:
+            piece = slice(start, min(start + _PIECE, u.size))
+            _run(drive, inputs(u[piece], v[piece]), (0, 1), piece.stop - start, planes, start, at)
+
+        return part
+
+    _spread(worker, range(0, u.size, _PIECE), threads)
 
 
 def _is_wide(surface: Surface) -> bool:
@@ -94,7 +100,7 @@ def _wide_grid(surface: Surface, u: FloatArray, v: FloatArray, planes: Planes, t
         inputs = _handed_through(surface.partials(piece, v[None, :], 2).reshape(3, 3, -1, 3))
         _run(driver(*_HANDED), inputs, (0, 1), piece.size * v.size, planes, start * v.size, at)
 
-    _spread(part, range(0, u.size, step), threads)
+    _spread(lambda: part, range(0, u.size, step), threads)
 
 
 def row_derivatives(surface: Surface, u: FloatArray) -> FloatArray:
@@ -117,18 +123,35 @@ def _net(surface: Surface, rows: Net) -> FloatArray:
     return both.reshape(len(both), -1)
 
 
-def _inputs(surface: Surface, u: FloatArray, v: FloatArray) -> tuple[_Inputs, tuple[int, int]]:
-    """Return rows, net and blend for scattered points, and the driver's numbers of terms and functions."""
+def _inputs(surface: Surface, most: int) -> tuple[tuple[int, int], Callable[[FloatArray, FloatArray], _Inputs]]:
+    """Return the driver's numbers for scattered points, and what gives rows, net and blend at up to ``most`` of them.
+
+    It uses the same memory each time: fresh memory for every piece costs more than the work itself.
+    """
+    rows, blend = surface.rows, surface.blend
     if _is_wide(surface):
         # In whole blocks, since NumPy sums a single point in another order.
-        return _handed_through(surface.partials(pad(u), pad(v), 2).reshape(3, 3, -1, 3)), _HANDED
-    rows = surface.rows
-    blend, count = _flat(increment_blocks(surface.blend, v)), terms(surface.blend)
+        return _HANDED, lambda u, v: _handed_through(surface.partials(pad(u), pad(v), 2).reshape(3, 3, -1, 3))
+    across = _room(blend, most)
     if isinstance(rows, Net) and rows.functions.size <= _WIDEST:
-        functions = _flat(increment_blocks(rows.functions, u))
-        return (functions, _net(surface, rows).reshape(-1), blend), (count, terms(rows.functions))
-    derivatives = row_derivatives(surface, pad(u).reshape(-1)).reshape(len(blend), BLOCK, -1)
-    return (_flat(derivatives.transpose(0, 2, 1)), _NO_NET, blend), (count, ROWS)
+        net, functions, along = _net(surface, rows).reshape(-1), rows.functions, _room(rows.functions, most)
+        return (terms(blend), terms(functions)), lambda u, v: (
+            _flat(increment_blocks(functions, u, along)),
+            net,
+            _flat(increment_blocks(blend, v, across)),
+        )
+
+    def apart(u: FloatArray, v: FloatArray) -> _Inputs:
+        blends = _flat(increment_blocks(blend, v, across))
+        derivatives = row_derivatives(surface, pad(u).reshape(-1)).reshape(len(blends), BLOCK, -1)
+        return _flat(derivatives.transpose(0, 2, 1)), _NO_NET, blends
+
+    return (terms(blend), ROWS), apart
+
+
+def _room(functions: Functions, most: int) -> FloatArray:
+    """Return memory for the increments at up to ``most`` points."""
+    return aligned((-(-most // BLOCK) * BLOCK * 3 * terms(functions),))
 
 
 def _handed_through(partials: FloatArray) -> _Inputs:
@@ -169,8 +192,8 @@ def _flat(blocks: FloatArray) -> FloatArray:
     return np.ascontiguousarray(blocks).reshape(len(blocks), -1)
 
 
-def _spread(part: Callable[[_Piece], None], pieces: Iterable[_Piece], threads: int) -> None:
-    """Run ``part`` on every piece; the drivers release the interpreter, so threads run side by side.
+def _spread(worker: Callable[[], Callable[[_Piece], None]], pieces: Iterable[_Piece], threads: int) -> None:
+    """Work on every piece with what ``worker`` gives each thread; drivers release the interpreter, so all run at once.
 
     The calling thread works too, so nothing waits for a thread to wake. (Plain threads: a pool takes longer to start
     and stop than K and H of fifty thousand points.)
@@ -180,6 +203,7 @@ def _spread(part: Callable[[_Piece], None], pieces: Iterable[_Piece], threads: i
 
     def work() -> None:
         try:
+            part = worker()
             for piece in queue:
                 part(piece)
         except BaseException as failure:
