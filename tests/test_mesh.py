@@ -281,3 +281,23 @@ def test_wrong_options_and_targets_are_refused(tmp_path):
     (tmp_path / "a.stl").mkdir()
     with pytest.raises(QuintrigError, match="found a folder"):
         export_mesh(model(), tmp_path / "a.stl", MeshOptions(grid=(3, 3)))
+
+
+@pytest.mark.parametrize("flip", [False, True])
+def test_the_header_says_which_way_the_triangles_face(flip, tmp_path):
+    """The normal of a sphere points outwards, which is against S_u x S_v: the words must follow the surface."""
+    model = Model.from_dict({"kind": "sphere", "radius": 2.0, "flip": flip})
+    export_mesh(model, tmp_path / "ball.obj", MeshOptions(tolerance=0.1))
+    header, faces, points = "", [], []
+    for line in (tmp_path / "ball.obj").read_text(encoding="utf-8").splitlines():
+        word, *rest = line.split()
+        if word == "#":
+            header += line
+        elif word == "v":
+            points.append([float(x) for x in rest[:3]])
+        elif word == "f":
+            faces.append([int(x.split("/")[0]) - 1 for x in rest])
+    corners = np.array(points)[np.array(faces)]
+    volume = np.linalg.det(corners).sum() / 6
+    assert (volume > 0) == (not flip)
+    assert ("against S_u x S_v" in header) == (not flip)

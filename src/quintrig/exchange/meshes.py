@@ -11,6 +11,7 @@ from quintrig.exchange import mesh_files
 from quintrig.exchange.formats import suffixes
 from quintrig.exchange.units import stated
 from quintrig.files import write_whole
+from quintrig.integrate import orientation
 from quintrig.mesh import Mesh, mesh
 from quintrig.model import Model
 from quintrig.quantity import Quantity, quantity
@@ -101,9 +102,12 @@ def _colours(result: Mesh, model: Model, shown: Quantity) -> tuple[FloatArray, s
 def _remarks(model: Model, result: Mesh, legend: str) -> list[str]:
     """Return what a reader of the file has to know: one line each, without line breaks."""
     unit = model.unit or "none stated"
+    sides = {patch.name: orientation(patch.surface) for patch in model.patches}
+    alike = len(set(sides.values())) == 1
+    side = next(iter(sides.values())) if alike else "; ".join(f"{name}: {words}" for name, words in sides.items())
     lines = [
         f"{model.name}, unit {unit}, by quintrig",
-        "normals along S_u x S_v, against it for patches with flip = true; counter-clockwise triangles show that side",
+        f"{side.replace('×', 'x')}; counter-clockwise triangles show that side",
         f"chordal deviation measured {result.chord:.6g}",
         legend,
     ]
