@@ -86,7 +86,11 @@ WRONG_KEYS = [
     ({**SWEPT, "basis": ["bernstein"]}, "basis: expected 'trigonometric' or 'bernstein', got ['bernstein']"),
     # keys
     ({**SWEPT, "secton": 1}, "unknown key 'secton'; did you mean 'section'?"),
-    ({**SWEPT, "colour": "red"}, "unknown key 'colour'"),
+    ({"kind": "swept", "sectoin": SECTION, "trajectory": TRAJECTORY}, "unknown key 'sectoin'; did you mean 'section'?"),
+    ({**SWEPT, "colour": "red"}, "unknown key 'colour'; the keys of this kind are name, flip, shape, "),
+    ({**SWEPT, "unit": "inch"}, "unit: expected one of um, mm, cm, m, km, in, ft, got 'inch'; did you mean 'in'?"),
+    ({**SWEPT, "unit": "MM"}, "got 'MM'; did you mean 'mm'?"),
+    ({**SWEPT, "unit": "furlong"}, "got 'furlong'; leave it out for plain numbers"),
     ({**SWEPT, "shcema": 1}, "unknown key 'shcema'; did you mean 'schema'?"),
     ({"kind": "swept", "section": SECTION}, "missing key 'trajectory': expected 6 points [x, y, z]"),
     ({"kind": "tensor"}, "missing key 'points': expected 6 x 6 control points"),
@@ -157,6 +161,11 @@ def test_a_model_is_a_table_of_keys(data):
 def test_the_place_names_the_patch():
     with pytest.raises(ModelError, match=r'^patch "Lid": shape: expected 4 numbers, got 1$'):
         Model.from_dict({"name": "Lid", **SWEPT, "shape": [1]})
+
+
+def test_a_misspelt_key_is_one_mistake():
+    with pytest.raises(ModelError, match=r"unknown key 'sectoin'; did you mean 'section'\?$"):
+        Model.from_dict({"kind": "swept", "sectoin": SECTION, "trajectory": TRAJECTORY})
 
 
 def test_more_mistakes_are_counted():

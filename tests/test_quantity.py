@@ -99,6 +99,14 @@ def test_unknown_quantity_names_the_nearest(word, meant):
         quantity(word)
 
 
+@pytest.mark.parametrize(
+    ("symbol", "key"), [("K", "gaussian"), ("h", "mean"), ("κ1", "k1"), ("S", "shape_index"), ("γ3", "gamma3")]
+)
+def test_a_symbol_names_its_key(symbol, key):
+    with pytest.raises(ValueError, match=f"unknown quantity '{symbol}'; did you mean '{key}'"):
+        quantity(symbol)
+
+
 def test_unknown_quantity_far_from_all_lists_them():
     with pytest.raises(ValueError, match="known are point, normal, E") as caught:
         quantity("temperature")

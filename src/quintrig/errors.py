@@ -17,5 +17,10 @@ class QuintrigError(Exception):
 
 def nearest(word: str, known: Iterable[str]) -> str:
     """Return a hint such as ``; did you mean 'profile'?``, or an empty string when nothing is near."""
-    found = difflib.get_close_matches(word, list(known), n=1, cutoff=0.6)
-    return f"; did you mean {found[0]!r}?" if found else ""
+    found = closest(word, known)
+    return f"; did you mean {found!r}?" if found else ""
+
+
+def closest(word: str, known: Iterable[str]) -> str:
+    """Return the known word that is spelt most like ``word``, or an empty string when nothing is near."""
+    return next(iter(difflib.get_close_matches(word, list(known), n=1, cutoff=0.6)), "")

@@ -8,7 +8,7 @@ from pydantic import ValidationError
 
 from quintrig.arrays import LARGEST
 from quintrig.definition import Definition
-from quintrig.errors import nearest
+from quintrig.errors import closest, nearest
 
 HEADER = ("schema", "name", "unit", "patch")
 """Keys that stand at the top of a file, whatever the kind."""
@@ -18,9 +18,15 @@ _LONGEST = 60
 
 
 def explain(error: ValidationError, form: type[Definition], keys: dict[str, Any]) -> str:
-    """Tell the first mistake that pydantic found in the ``keys`` of a ``form``, and how many more there are."""
+    """Tell the first mistake that pydantic found in the ``keys`` of a ``form``, and how many more there are.
+
+    An unknown key comes before the others: it is why the key that it misspells is missing.
+    """
     details = error.errors(include_url=False)
-    first = details[0]
+    first = next((one for one in details if one["type"] == "extra_forbidden"), details[0])
+    if first["type"] == "extra_forbidden":
+        meant = closest(str(first["loc"][0]), form.model_fields)
+        details = [one for one in details if one["type"] != "missing" or one["loc"] != (meant,)]
     place = "".join(
         f"[{part}]" if isinstance(part, int) else f"{'.' if i else ''}{part}" for i, part in enumerate(first["loc"])
     )
@@ -54,7 +60,9 @@ def spell(value: Any) -> str:
 def _unknown(place: str, form: type[Definition]) -> str:
     if place in HEADER:
         return f"unknown key {place!r}: it belongs at the top of the file, above the patches"
-    return f"unknown key {place!r}{nearest(place, [*form.model_fields, *HEADER])}"
+    known = dict.fromkeys((*form.model_fields, *HEADER))
+    hint = nearest(place, known) or f"; the keys of this kind are {', '.join(form.model_fields)}"
+    return f"unknown key {place!r}{hint}"
 
 
 def _expected(kind: str, found: Any, context: dict[str, Any]) -> str:

@@ -21,6 +21,16 @@ SCHEMA_VERSION = 1
 UNITS = ("um", "mm", "cm", "m", "km", "in", "ft")
 """Units of length that a model may state."""
 
+_UNIT_NAMES = {
+    **{name: "um" for name in ("µm", "μm", "micron", "microns", "micrometre", "micrometer")},
+    **{name: "mm" for name in ("millimetre", "millimeter", "millimetres", "millimeters")},
+    **{name: "cm" for name in ("centimetre", "centimeter", "centimetres", "centimeters")},
+    **{name: "m" for name in ("metre", "meter", "metres", "meters")},
+    **{name: "km" for name in ("kilometre", "kilometer", "kilometres", "kilometers")},
+    **{name: "in" for name in ("inch", "inches", '"')},
+    **{name: "ft" for name in ("foot", "feet", "'")},
+}
+
 LARGEST_FILE = 16 * 2**20
 """Bytes; the largest real model is a few kilobytes."""
 
@@ -109,7 +119,9 @@ class Model:
             raise ModelError(f"schema: expected {SCHEMA_VERSION}, got {spell(version)}; this quintrig reads version 1")
         unit = _text(data.pop("unit", ""), "unit")
         if unit and unit not in UNITS:
-            raise ModelError(f"unit: expected one of {', '.join(UNITS)}, got {unit!r}; leave it out for plain numbers")
+            meant = _UNIT_NAMES.get(unit.lower().rstrip("."), unit.lower())
+            hint = f"did you mean {meant!r}?" if meant in UNITS else "leave it out for plain numbers"
+            raise ModelError(f"unit: expected one of {', '.join(UNITS)}, got {unit!r}; {hint}")
         name = _text(data.pop("name", ""), "name")
         if "patch" in data:
             patches = _several(data, folder)

@@ -241,9 +241,11 @@ CLASSES: tuple[str, ...] = tuple(q.key for q in QUANTITIES if q.colour == "class
 
 
 def quantity(key: str) -> Quantity:
-    """Return the row of a key; ValueError with the nearest known key."""
+    """Return the row of a key; ValueError with the key of that symbol or the nearest known key."""
     if key not in BY_KEY:
-        raise ValueError(f"unknown quantity {key!r}{nearest(key, BY_KEY)}; known are {', '.join(BY_KEY)}")
+        symbols = {q.symbol: f"; did you mean {q.key!r}?" for q in QUANTITIES}
+        hint = symbols.get(key) or symbols.get(key.upper()) or nearest(key, BY_KEY)
+        raise ValueError(f"unknown quantity {key!r}{hint}; known are {', '.join(BY_KEY)}")
     return BY_KEY[key]
 
 
