@@ -22,13 +22,13 @@ UNITS = ("um", "mm", "cm", "m", "km", "in", "ft")
 """Units of length that a model may state."""
 
 _UNIT_NAMES = {
-    **{name: "um" for name in ("µm", "μm", "micron", "microns", "micrometre", "micrometer")},
-    **{name: "mm" for name in ("millimetre", "millimeter", "millimetres", "millimeters")},
-    **{name: "cm" for name in ("centimetre", "centimeter", "centimetres", "centimeters")},
-    **{name: "m" for name in ("metre", "meter", "metres", "meters")},
-    **{name: "km" for name in ("kilometre", "kilometer", "kilometres", "kilometers")},
-    **{name: "in" for name in ("inch", "inches", '"')},
-    **{name: "ft" for name in ("foot", "feet", "'")},
+    **dict.fromkeys(("µm", "μm", "micron", "microns", "micrometre", "micrometer"), "um"),
+    **dict.fromkeys(("millimetre", "millimeter", "millimetres", "millimeters"), "mm"),
+    **dict.fromkeys(("centimetre", "centimeter", "centimetres", "centimeters"), "cm"),
+    **dict.fromkeys(("metre", "meter", "metres", "meters"), "m"),
+    **dict.fromkeys(("kilometre", "kilometer", "kilometres", "kilometers"), "km"),
+    **dict.fromkeys(("inch", "inches", '"'), "in"),
+    **dict.fromkeys(("foot", "feet", "'"), "ft"),
 }
 
 LARGEST_FILE = 16 * 2**20
