@@ -31,10 +31,11 @@ def frozen(values: ArrayLike, name: str, *shapes: tuple[int | None, ...]) -> Flo
         expected = " or ".join(_spell(shape) for shape in shapes)
         raise ValueError(f"{name}: expected {expected}, found {_spell(raw.shape)}")
     array: FloatArray = np.array(raw, dtype=np.float64, order="C")
-    wrong = np.argwhere(~(np.abs(array) <= LARGEST))
-    if len(wrong):
-        place = "".join(f"[{i}]" for i in wrong[0])
-        found = array[tuple(wrong[0])]
+    fits = np.abs(array) <= LARGEST
+    if not fits.all():
+        first = np.argwhere(~fits)[0]
+        place = "".join(f"[{i}]" for i in first)
+        found = array[tuple(first)]
         raise ValueError(f"{name}{place}: expected a finite number of size at most {LARGEST:g}, found {found:g}")
     array.setflags(write=False)
     return array

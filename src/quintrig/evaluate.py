@@ -1,6 +1,5 @@
 """How a surface and its parameters become arguments of the compiled driver, and how the work is spread over threads."""
 
-import math
 import os
 from collections.abc import Callable, Iterable
 from itertools import pairwise
@@ -63,7 +62,7 @@ def on_grid(surface: Surface, u: FloatArray, v: FloatArray, planes: Planes, thre
     drive = driver(terms(surface.blend), GRID)
     # Several pieces a thread, so that one that starts late or is interrupted does not keep the others waiting.
     pieces = min(len(u), 8 * threads if threads > 1 else 1)
-    edges: list[int] = np.linspace(0, len(u), pieces + 1).astype(int).tolist()
+    edges = [len(u) * i // pieces for i in range(pieces + 1)]
 
     def part(ends: tuple[int, int]) -> None:
         _run(drive, (rows, _NO_NET, blend), ends, v.size, planes, 0, at)
@@ -109,11 +108,11 @@ def row_derivatives(surface: Surface, u: FloatArray) -> FloatArray:
     if not isinstance(rows, Net):
         return split(rows.derivatives(u, 2).transpose(2, 1, 0, 3), surface.blend).transpose(1, 2, 0, 3)
     net = _net(surface, rows)
-    blocks = increment_blocks(rows.functions, u).transpose(0, 3, 1, 2)  # (blocks, BLOCK, 3, increments)
-    result = blocks.reshape(math.prod(blocks.shape[:3]), len(net) - 1)[: 3 * u.size] @ net[1:]
-    result = result.reshape(u.size, 3, -1)
-    result[:, 0] += net[0]
-    return result.reshape(u.size, 3, -1, 3)
+    blocks = increment_blocks(rows.functions, u)
+    factors: FloatArray = np.zeros((len(blocks), BLOCK, 3, len(net)))
+    factors[:, :, 0, 0] = 1.0  # of the origin
+    factors[..., 1:] = blocks.transpose(0, 3, 1, 2)
+    return (factors.reshape(-1, len(net))[: 3 * u.size] @ net).reshape(u.size, 3, -1, 3)
 
 
 def _net(surface: Surface, rows: Net) -> FloatArray:

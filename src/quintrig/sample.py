@@ -20,6 +20,7 @@ SINGULAR = 4096 * np.finfo(np.float64).eps
 """A point is singular where |S_u x S_v| <= SINGULAR size²: three digits above rounding, so that the normal has some
 left."""
 
+_USUAL = Thresholds()
 _NOISE = 1e-12  # curvedness times size at or below this is rounding of a plane: its shape index is undefined
 
 
@@ -97,7 +98,7 @@ def analyse(
     """
     u, v = parameter(u, "u"), parameter(v, "v")
     keys = _keys(quantities)
-    thresholds = thresholds or Thresholds()
+    thresholds = thresholds or _USUAL
     size = surface.size
     try:
         shape = np.broadcast_shapes(u.shape, v.shape)
