@@ -6,7 +6,7 @@ import numpy as np
 
 import quintrig
 from bench import every, rivals
-from bench.timing import HEAD, compared, fastest, race, short, table
+from bench.timing import HEAD, compared, fastest, race, short, spelt, table
 from quintrig.stream import analyse_blocks
 
 KH = ("gaussian", "mean")
@@ -33,7 +33,6 @@ def grids(count: int, rounds: int) -> None:
     best = fastest({height: lambda height=height: blocks(height) for height in (2, 4, 8, 16, 32)})
     mine, theirs = f"NumPy in blocks of {best} rows, arrays handed in", f"NumPy in blocks of {best} rows, fresh arrays"
     fresh, into = "quintrig, fresh arrays", "quintrig, arrays handed in"
-    two = "quintrig, arrays handed in, two threads"
     times = race(
         {
             mine: lambda: blocks(best),
@@ -41,16 +40,14 @@ def grids(count: int, rounds: int) -> None:
             "NumPy, whole grid at once": lambda: blocks(count),
             fresh: lambda: quintrig.analyse(surface, u, v, KH, threads=1),
             into: lambda: quintrig.analyse(surface, u, v, KH, threads=1, out=out),
-            two: lambda: quintrig.analyse(surface, u, v, KH, threads=2, out=out),
         },
         rounds,
     )
     print(
         f"K and H of a biquintic patch on a {count} x {count} grid; fresh against fresh, handed in against handed in\n"
     )
-    against = {"NumPy, whole grid at once": mine, fresh: theirs, into: mine, two: mine}
+    against = {"NumPy, whole grid at once": mine, fresh: theirs, into: mine}
     table(HEAD, compared(times, count * count, against))
-    print(f"Two threads against one: {short(times[into].median / times[two].median)} times as fast.\n")
 
 
 def all_quantities(count: int, rounds: int) -> None:
@@ -63,21 +60,20 @@ def all_quantities(count: int, rounds: int) -> None:
     def blocks(height, out=theirs):
         every.every_quantity(net, u[:, 0], v[0], SHAPE, height, surface.size, out)
 
-    def own(threads, out=None):
-        quintrig.analyse(surface, u, v, every.KEYS, threads=threads, out=out)
+    def own(out=None):
+        quintrig.analyse(surface, u, v, every.KEYS, threads=1, out=out)
 
     best = fastest({height: lambda height=height: blocks(height) for height in (2, 4, 8, 16, 32)})
     rivals_fresh = f"NumPy in blocks of {best} rows, fresh arrays"
     rivals_into = f"NumPy in blocks of {best} rows, arrays handed in"
-    into, two = "quintrig, arrays handed in", "quintrig, arrays handed in, two threads"
+    into = "quintrig, arrays handed in"
     times = race(
         {
             rivals_into: lambda: blocks(best),
             rivals_fresh: lambda: blocks(best, every.fresh(count, count)),
             "fresh arrays filled with ones, nothing else": lambda: touched(count),
-            "quintrig, fresh arrays": lambda: own(1),
-            into: lambda: own(1, mine.values),
-            two: lambda: own(2, mine.values),
+            "quintrig, fresh arrays": own,
+            into: lambda: own(mine.values),
         },
         rounds,
     )
@@ -85,9 +81,8 @@ def all_quantities(count: int, rounds: int) -> None:
         "Point, normal, K, H, κ1, κ2, both directions, S, C, four classifications and six invariants (28 numbers a "
         f"point) on a {count} x {count} grid; fresh against fresh, handed in against handed in\n"
     )
-    against = {"quintrig, fresh arrays": rivals_fresh, into: rivals_into, two: rivals_into}
+    against = {"quintrig, fresh arrays": rivals_fresh, into: rivals_into}
     table(HEAD, compared(times, count * count, against))
-    print(f"Two threads against one: {short(times[into].median / times[two].median)} times as fast.\n")
 
 
 def touched(count: int) -> None:
@@ -111,12 +106,39 @@ def points(count: int, rounds: int) -> None:
     own = {
         "quintrig, fresh arrays": {"threads": 1},
         "quintrig, arrays handed in": {"threads": 1, "out": out},
-        "quintrig, arrays handed in, two threads": {"threads": 2, "out": out},
     }
     ways = {name: lambda how=how: quintrig.analyse(surface, u, v, KH, **how) for name, how in own.items()}
     times = race({rival: lambda: pieces(best)} | ways, rounds)
     print(f"K and H at {count:,} scattered points, basis included\n")
     table(HEAD, compared(times, count, dict.fromkeys(own, rival)))
+
+
+def scaling(side: int, rounds: int) -> None:
+    """Two threads against one, in a race of their own: a core that slept through a rival takes its time to wake."""
+    surface = quintrig.tensor(wavy_net(), SHAPE)
+    rng = np.random.default_rng(1)
+    rows = []
+    for factor in (1, 3):
+        u, v = quintrig.grid(factor * side, factor * side)
+        at = rng.random((2, u.size * v.size // factor))
+        work = {
+            f"K and H, {u.size} x {v.size} grid": (u, v, KH),
+            f"K and H, {at.shape[1]:,} scattered points": (*at, KH),
+        }
+        if factor == 1:
+            work[f"28 numbers a point, {u.size} x {v.size} grid"] = (u, v, every.KEYS)
+        for name, what in work.items():
+            out = quintrig.analyse(surface, *what).values
+
+            def own(threads, what=what, out=out):
+                quintrig.analyse(surface, *what, threads=threads, out=out)
+
+            times = race({"1": lambda own=own: own(1), "2": lambda own=own: own(2)}, rounds)
+            points = math.prod(np.broadcast_shapes(what[0].shape, what[1].shape))
+            cells = (f"{short(times[n].median / points * 1e9)}" for n in ("1", "2"))
+            rows.append((name, *cells, f"{times['2'].spread:.0%}", spelt(times["1"], times["2"])))
+    print("Two threads against one, arrays handed in\n")
+    table(("work", "one thread, ns a point", "two threads", "spread", "times as fast"), rows)
 
 
 def growth(largest: int, rounds: int) -> None:
@@ -148,4 +170,5 @@ def report(quick: bool) -> None:
     grids(side, rounds)
     all_quantities(side, max(5, rounds - 2))
     points(many, rounds)
+    scaling(side, rounds)
     growth(6 if quick else 8, rounds)
