@@ -50,12 +50,13 @@ def locked(array: FloatArray) -> FloatArray:
 
 
 def aligned(shape: tuple[int, ...], dtype: DTypeLike = np.float64) -> NDArray[Any]:
-    """Return an empty array that starts on a cache line, and one that fills a huge page on such a page.
+    """Return an empty array that starts on a cache line, and one that fills several huge pages on such a page.
 
     So no full-width access crosses two lines, and the first touch of a large result costs half.
     """
     size = math.prod(shape) * np.dtype(dtype).itemsize
-    step = HUGE_PAGE if size >= HUGE_PAGE else CACHE_LINE
+    # Of the last page a part may be touched in vain: at most a third of the array.
+    step = HUGE_PAGE if size >= 3 * HUGE_PAGE else CACHE_LINE
     memory = np.empty(size + step, np.uint8)
     start = -memory.__array_interface__["data"][0] % step
     return memory[start : start + size].view(dtype).reshape(shape)
