@@ -20,9 +20,12 @@ from quintrig.figure import (
     edge,
     field,
     frame,
+    palette,
     scene,
+    shade,
     sheet,
     space,
+    space_picture,
     to_png_bytes,
     wording,
 )
@@ -340,3 +343,35 @@ def test_points_side_by_side_are_drawn():
     points = [quintrig.tensor(np.full((6, 6, 3), 1.1), shape) for shape in ((1, 1, 1, 1), (1, 0, -2, -3))]
     picture = to_png_bytes(beside.comparison(points, ["first", "second"]), 40)
     assert picture.startswith(b"\x89PNG")
+
+
+@pytest.mark.parametrize("elevation", [5.0, 26.0, 60.0, 90.0])
+def test_colours_on_a_surface_read_off_the_key(elevation):
+    # Whatever way a facet faces, its colour has the hue of the key's, nearly its lightness, and is never undefined's.
+    surface = quintrig.sphere(2.0)
+    mesh = scene.mesh_points(surface, 24)
+    view = camera.View("", -55.0, elevation)
+    everywhere = np.ones(mesh.shape[:2], dtype=bool)
+    for share in np.linspace(0.0, 1.0, 21):
+        given = np.array(palette.DIVERGING(share)[:3])
+        skin = np.broadcast_to(given, (24, 24, 3))
+        lit = shade.facets(mesh, view, skin, surface.sign, everywhere, readable=True).fill[:, :3]
+        factor = lit / given
+        assert np.ptp(factor, axis=1).max() <= 1e-12  # one factor for red, green and blue: the hue stays
+        assert factor.min() >= 0.9 - 1e-12
+        assert factor.max() <= 1.0 + 1e-12
+        assert np.abs(lit - to_rgb(palette.UNDEFINED)).max(axis=1).min() > 0.1
+
+
+@pytest.mark.parametrize("key", [None, "gaussian"])
+def test_a_surface_that_is_one_point_is_drawn_and_said_to_be_one(key):
+    surface = quintrig.tensor(np.tile([3.0, 4.0, 5.5], (6, 6, 1)))
+    drawn = space_picture(surface, key)
+    texts = [text.get_text() for axes in drawn.axes for text in axes.texts]
+    assert "(3, 4, 5.5)" in texts
+    assert "The surface is a single point, (3, 4, 5.5)" in " ".join(text for text in (*texts, *notes(drawn)))
+    assert scene.single_point(quintrig.sphere()) is None
+
+
+def notes(drawn):
+    return [text.get_text().replace("\n", " ") for text in drawn.texts]

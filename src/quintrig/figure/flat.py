@@ -74,7 +74,7 @@ def zero_sets(surface: Surface, f: Field) -> Zeros:
     K = 0 and H = 0 for maps of K, H and S, their own for others with a sign.
     """
     own = (f.quantity.key,) if f.quantity.colour == "diverging" else ()
-    nodes = np.linspace(0.0, 1.0, 241)
+    nodes = np.linspace(0.0, 1.0, 481)
     found = {key: tuple(zero_lines(field(surface, key, nodes, nodes))) for key in _COMPANIONS.get(f.quantity.key, own)}
     return {key: lines for key, lines in found.items() if lines}
 

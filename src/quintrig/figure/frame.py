@@ -80,7 +80,7 @@ def panel_size(view: View, low: FloatArray, high: FloatArray, width: float, fram
     """Return the size in inches of a panel of this width that box and labels fill, within reason."""
     left, right, bottom, top = _margins(72.0 * width, framed)
     wide, tall = np.ptp(_corners(view, low, high), axis=0)
-    shape = float(tall / wide) if wide > 0.0 else 1.0
+    shape = float(tall / wide) if wide > 0.0 else 0.0
     height = shape * (width - (left + right) / 72.0) + (bottom + top) / 72.0
     return width, min(max(height, 0.42 * width), 1.15 * width)
 

@@ -13,6 +13,7 @@ from quintrig.figure.palette import INK
 from quintrig.figure.scene import Mark
 from quintrig.figure.shade import Paint, strokes
 from quintrig.figure.sheet import drawable
+from quintrig.figure.wording import point_text
 from quintrig.sample import analyse
 from quintrig.surface import Surface
 
@@ -80,6 +81,13 @@ def draw_normal(stage: Stage, surface: Surface, meshes: list[FloatArray]) -> Non
         zorder=5,
     )
     _label(stage, ends[1, :2], "$\\mathbf{n}$", shown)
+
+
+def draw_point(stage: Stage, point: FloatArray) -> None:
+    """Draw the point (3,) that a whole surface shrinks to, with its coordinates."""
+    place = stage.view.project(point)[:2]
+    stage.axes.scatter(*place, s=22, facecolor=INK, edgecolor="white", linewidth=0.8, zorder=5)
+    _label(stage, place, point_text(point), 1.0)
 
 
 def draw_marks(stage: Stage, surface: Surface, marks: Sequence[Mark], meshes: list[FloatArray]) -> None:

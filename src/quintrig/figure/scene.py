@@ -85,6 +85,12 @@ def settled(low: FloatArray, high: FloatArray) -> Box:
     return (low, low.copy()) if np.linalg.norm(high - low) <= _NOISE * largest else (low, high)
 
 
+def single_point(surface: Surface) -> FloatArray | None:
+    """Return the point (3,) to which the whole surface shrinks, to rounding; None for any other surface."""
+    low, high = settled(*(end(mesh_points(surface, 12), axis=(0, 1)) for end in (np.nanmin, np.nanmax)))
+    return low if np.array_equal(low, high) else None
+
+
 def share_outside(surfaces: Sequence[Surface], box: Box) -> float:
     """Return the share of the (u, v) squares that lies outside the box and is not drawn, 0 to 1."""
     within = [inside(mesh_points(surface, 60), box) for surface in surfaces]

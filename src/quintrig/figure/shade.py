@@ -13,6 +13,8 @@ from quintrig.figure.palette import BACK, FRONT
 _LIGHT = np.array([-0.42, 0.55, 0.72]) / np.linalg.norm([-0.42, 0.55, 0.72])  # from the upper left, before the picture
 _HALFWAY = _LIGHT + np.array([0.0, 0.0, 1.0])
 _GLOSS = _HALFWAY / np.linalg.norm(_HALFWAY)
+_LAMP = np.array([-0.3, 0.4, 1.0]) / np.linalg.norm([-0.3, 0.4, 1.0])  # softer, for colours that are read off a key
+_DIMMEST = 0.9
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,13 +42,19 @@ def joined(paints: Sequence[Paint]) -> Paint:
 
 
 def facets(
-    points: FloatArray, view: View, colours: FloatArray | None, sign: float, darkest: float, inside: BoolArray
+    points: FloatArray,
+    view: View,
+    colours: FloatArray | None,
+    sign: float,
+    inside: BoolArray,
+    *,
+    readable: bool = False,
 ) -> Paint:
     """Return the quads of a grid of points (n + 1, m + 1, 3), lit from the upper left.
 
-    ``colours`` (n, m, 3) are dimmed down to ``darkest`` where the light grazes; None paints the side of the normal
-    and the back in two colours. ``sign`` is the surface's; facets with no corner ``inside`` (n + 1, m + 1) are left
-    out.
+    ``colours`` (n, m, 3) are dimmed where the light grazes; None paints the side of the normal and the back in two
+    colours. ``readable`` colours keep to those of a key: they are hardly dimmed, never brightened, and keep their hue.
+    ``sign`` is the surface's; facets with no corner ``inside`` (n + 1, m + 1) are left out.
     """
     seen = view.project(points)
     corners = np.stack([seen[:-1, :-1], seen[1:, :-1], seen[1:, 1:], seen[:-1, 1:]], axis=2)
@@ -54,18 +62,29 @@ def facets(
     length = np.sqrt((normal**2).sum(axis=-1, keepdims=True))
     normal = np.where(length > 0.0, normal / np.where(length > 0.0, length, 1.0), [0.0, 0.0, 1.0])
     facing = np.where(normal[..., 2:] < 0.0, -1.0, 1.0)
-    light = np.clip((facing * normal) @ _LIGHT, 0.0, 1.0)[..., None]
     if colours is None:
         front = sign * facing > 0.0
         colours = np.where(front, np.array(to_rgb(FRONT)), np.array(to_rgb(BACK)))
-    lit = np.clip(colours * (darkest + (1.05 - darkest) * light), 0.0, 1.0)
-    gloss = 0.13 * np.clip((facing * normal) @ _GLOSS, 0.0, 1.0)[..., None] ** 24
-    lit = lit + gloss * (1.0 - lit)
+    lit = _dimmed(colours, facing * normal) if readable else _lit(colours, facing * normal)
     keep = inside[:-1, :-1] | inside[1:, :-1] | inside[1:, 1:] | inside[:-1, 1:]
     rgba = np.concatenate([lit, np.ones((*lit.shape[:2], 1))], axis=-1)[keep]
     flat = corners[keep]
     width = np.full(len(flat), 0.4)  # thin edges in the colour of the face close the hairlines between neighbours
     return Paint(flat[..., :2], rgba, rgba, width, flat[..., 2].mean(axis=1))
+
+
+def _lit(colours: FloatArray, normal: FloatArray) -> FloatArray:
+    """Return the colours as of a glossy body, for its form alone."""
+    light = np.clip(normal @ _LIGHT, 0.0, 1.0)[..., None]
+    lit = np.clip(colours * (0.62 + 0.43 * light), 0.0, 1.0)
+    gloss = 0.13 * np.clip(normal @ _GLOSS, 0.0, 1.0)[..., None] ** 24
+    return lit + gloss * (1.0 - lit)
+
+
+def _dimmed(colours: FloatArray, normal: FloatArray) -> FloatArray:
+    """Return the colours a little darker where the surface slants away, so that they still read off a key."""
+    light = np.clip(normal @ _LAMP, 0.0, 1.0)[..., None]
+    return colours * (_DIMMEST + (1.0 - _DIMMEST) * light)
 
 
 def strokes(

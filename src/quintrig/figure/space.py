@@ -12,14 +12,15 @@ from quintrig.arrays import FloatArray
 from quintrig.figure.edge import regression_lines
 from quintrig.figure.field import Field, field, zero_lines
 from quintrig.figure.frame import Stage, box_outline, draw_frame, set_stage
-from quintrig.figure.markup import STROKE, draw_dots, draw_marks, draw_net, draw_normal
+from quintrig.figure.markup import STROKE, draw_dots, draw_marks, draw_net, draw_normal, draw_point
 from quintrig.figure.palette import INK, REGRESSION, Limits
-from quintrig.figure.scene import Box, Scene, bounds, inside, mesh_points
+from quintrig.figure.scene import Box, Scene, bounds, inside, mesh_points, single_point
 from quintrig.figure.shade import Paint, facets, joined, strokes
 from quintrig.figure.sheet import Axes
 from quintrig.surface import Surface
 
 _RIM = "#3a3a3a"
+_ZEROS = 481  # nodes a side at which zeros are traced: where two lines cross they miss each other by half a cell
 
 
 def draw_space(
@@ -54,8 +55,8 @@ def draw_space(
         cells = f.values.shape[0] if f else scene.cells
         mesh = mesh_points(surface, cells)
         meshes.append(scene.view.project(mesh))
-        rgb, darkest = _skin(f, stretch, colour, cells)
-        layer = [facets(mesh, scene.view, rgb, surface.sign, darkest, inside(mesh, (low, high)))]
+        rgb = f.colours(stretch) if f else np.tile(to_rgb(colour), (cells, cells, 1)) if colour else None
+        layer = [facets(mesh, scene.view, rgb, surface.sign, inside(mesh, (low, high)), readable=f is not None)]
         lines = _lines_on(surface, mesh, scene, stage, f, colour if opacity < 1.0 else _RIM)
         if opacity < 1.0:
             _paint(stage, joined(layer), opacity)
@@ -74,20 +75,14 @@ def draw_space(
             if surface.net is not None:
                 paints += draw_net(surface.net, stage, meshes)
     _paint(stage, joined(paints))
+    for whole in map(single_point, surfaces):
+        if whole is not None:
+            draw_point(stage, whole)
     for surface in surfaces if scene.normal else ():
         draw_normal(stage, surface, meshes)
     if scene.marks and surfaces:
         draw_marks(stage, surfaces[0], scene.marks, meshes)
     return stage
-
-
-def _skin(f: Field | None, stretch: Limits | None, colour: str, cells: int) -> tuple[FloatArray | None, float]:
-    """Return the colours of the facets and how dark the shade may be: less where colours must be read."""
-    if f is not None:
-        return f.colours(stretch), 0.8
-    if colour:
-        return np.tile(to_rgb(colour), (cells, cells, 1)), 0.6
-    return None, 0.62
 
 
 def _lines_on(surface: Surface, mesh: FloatArray, scene: Scene, stage: Stage, f: Field | None, rim: str) -> list[Paint]:
@@ -102,7 +97,8 @@ def _lines_on(surface: Surface, mesh: FloatArray, scene: Scene, stage: Stage, f:
     paints += [strokes(_cut(line, box), scene.view, rim, 0.9, step, lift) for line in _rim(mesh)]
     if scene.zeros and f is not None and f.quantity.colour == "diverging":
         dashed = f.quantity.key == "mean"
-        for line in zero_lines(field(surface, f.quantity.key, t, t)):
+        fine = np.linspace(0.0, 1.0, _ZEROS)
+        for line in zero_lines(field(surface, f.quantity.key, fine, fine)):
             path = _cut(surface(line[:, 0], line[:, 1]), box)
             paints.append(strokes(path, scene.view, INK, 1.1, step, lift, dashed))
     if scene.regression:

@@ -5,9 +5,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from quintrig.arrays import FloatArray
 from quintrig.classify import Thresholds
 from quintrig.figure.edge import regression_note
 from quintrig.figure.field import Field, changes_sign
+from quintrig.figure.scene import single_point
 from quintrig.quantity import Quantity
 from quintrig.surface import Surface
 
@@ -25,6 +27,11 @@ def number_text(value: float, power: int = 0) -> str:
     """Return value / 10^power, as short as it can be told."""
     text = f"{value / 10.0**power:.4g}"
     return "0" if text in ("-0", "0") else text.replace("-", "−")
+
+
+def point_text(point: Sequence[float] | FloatArray) -> str:
+    """Return the coordinates of a point, such as ``(0, 2.5, −1)``."""
+    return f"({', '.join(number_text(float(part)) for part in point)})"
 
 
 def tick_texts(values: Sequence[float], power: int = 0) -> list[str]:
@@ -111,6 +118,11 @@ def note(
         parts.append(lines)
     text = "; ".join(parts)
     warnings = [regression_note(surface) for surface in surfaces]
+    points = [point for surface in surfaces if (point := single_point(surface)) is not None]
+    if points:
+        whose = "The surface is" if len(surfaces) == 1 else f"{len(points)} of {len(surfaces)} surfaces are"
+        where = point_text(points[0]) if len({tuple(point.tolist()) for point in points}) == 1 else ""
+        warnings.append(f"{whose} a single point{f', {where}' if where else ' each'}: it has no curvature")
     if outside > 0.0:
         warnings.append(f"{max(100.0 * outside, 0.1):.3g} % of the surface lies far outside the box and is not drawn")
     return ". ".join([part for part in [text, *warnings] if part])

@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 
+import numpy as np
 from matplotlib.figure import Figure
 
 from quintrig.agreement import REASONS
@@ -19,6 +20,7 @@ from quintrig.figure import (
     space_picture,
     to_png_bytes,
 )
+from quintrig.figure.field import field, zero_lines
 from quintrig.model import Model, Patch
 from quintrig.quantity import BY_KEY
 from quintrig.report.facts import MARKS, Facts, has_effect, standard
@@ -43,14 +45,16 @@ REASON_COLOURS = (
 """Colours of ``agreement.REASONS``: quiet where the methods agree, amber for neighbours, magenta for contradictions."""
 
 SHOWN: tuple[tuple[str, str], ...] = (
-    ("gaussian", "Red: dome or bowl (K > 0). Blue: saddle (K < 0). On the line between them K = 0."),
-    ("mean", "Red: bends towards the normal (hollow). Blue: bends away from it (bulging). On the dashed line H = 0."),
+    ("gaussian", "Red: dome or bowl (K > 0). Blue: saddle (K < 0)."),
+    ("mean", "Red: bends towards the normal (hollow). Blue: bends away from it (bulging)."),
     ("shape_index", "Which shape, whatever its strength: from cup (-1) over saddle (0) to cap (+1)."),
     ("curvedness", "How strongly it bends, whatever its shape."),
     ("hk_type", "The signs of K and H together, seen from the side that the normal points to."),
     ("shape_class", "Nine ranges of the shape index."),
 )
 """The quantities that are drawn in space and as a map, and how to read each."""
+
+_ZEROS = {"gaussian": " On the line between them K = 0.", "mean": " On the dashed line H = 0."}
 
 
 @dataclass(frozen=True)
@@ -118,6 +122,13 @@ def _lead(facts: Facts) -> Picture:
         f"it measures {spans} {facts.unit} along x, y and z."
     )
     return Picture("lead", alt, partial(space_picture, surface, None, scene, unit=facts.unit, width=5.4))
+
+
+def readings(facts: Facts) -> tuple[tuple[str, str], ...]:
+    """Return ``SHOWN`` for a patch: lines of zeros are spoken of where it has any."""
+    t = np.linspace(0.0, 1.0, 121)
+    drawn = {key for key in _ZEROS if zero_lines(field(facts.patch.surface, key, t, t))}
+    return tuple((key, reading + (_ZEROS[key] if key in drawn else "")) for key, reading in SHOWN)
 
 
 def _fields(facts: Facts, keys: Sequence[str]) -> Iterator[Picture]:

@@ -20,7 +20,7 @@ from quintrig.report import kinds, tables
 from quintrig.report.facts import MARKS, Facts
 from quintrig.report.findings import findings, methods
 from quintrig.report.mathml import mathml
-from quintrig.report.pictures import SHOWN, Image, invariants_shown, overview, picture_count, pictures, render
+from quintrig.report.pictures import Image, invariants_shown, overview, picture_count, pictures, readings, render
 from quintrig.report.wording import measure, number, percent, prose
 from quintrig.signs import SIGN_TABLES
 from quintrig.studio import page as studio
@@ -112,7 +112,6 @@ def _page(model: Model, chapters: list[Chapter], together: dict[str, Image], gri
             source=source if len(source) <= _LONGEST else "",
             quantities=[q for q in QUANTITIES if q.key not in ("point", "normal")],
             signs=SIGN_TABLES,
-            shown=SHOWN,
             marks=MARKS,
             basis=[mathml(latex) for latex in kinds.BASIS],
             viewer=Markup(studio.viewer(model)) if live else "",
@@ -145,6 +144,7 @@ def _environment() -> Environment:
         "findings": findings,
         "methods": methods,
         "invariants_shown": invariants_shown,
+        "readings": readings,
         "quantity": quantity,
         "sections": sections,
         "facts_of": _facts_of,
