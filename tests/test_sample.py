@@ -336,6 +336,19 @@ def test_large_results_are_those_of_small_ones(surface, columns, beside):
     np.testing.assert_array_equal(points["hk_type"].reshape(large.shape), large["hk_type"])
 
 
+@pytest.mark.parametrize("count", [16384 * 3 + 1, 16384 * 3 + 7, 16384 * 4 + 65])
+@pytest.mark.parametrize("beside", [0, 1, 3, 6])
+def test_many_points_are_those_of_few(surface, count, beside):
+    """Pieces of one point beside pieces of many must not write over each other."""
+    u, v = scattered(count)
+    arrays = {key: shifted(q, (count,), beside) for key, q in BY_KEY.items()}
+    many = quintrig.analyse(surface, u, v, out=arrays, threads=1 + beside % 2)
+    for places in (slice(0, 70), slice(16384 * 3 - 40, 16384 * 3 + 40), slice(count - 70, count)):
+        few = quintrig.analyse(surface, u[places], v[places])
+        for key in BY_KEY:
+            np.testing.assert_array_equal(few[key], many[key][places], err_msg=key)
+
+
 def shifted(q, shape, beside):
     """Return an array for a quantity that starts so many numbers after a cache line."""
     planes = (q.components, *shape)

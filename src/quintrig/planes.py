@@ -304,6 +304,7 @@ def _stream(source: int, target: int, n: int, end: int, line: int) -> None:
     """
     s, out, kept = floats_at(source), floats_at(target), floats_at(line)
     before, done = (target >> 3) & (_LINE - 1), 0
+    pending = 0
     if before:
         done = min(_LINE - before, n)
         if end & FIRST:
@@ -314,13 +315,15 @@ def _stream(source: int, target: int, n: int, end: int, line: int) -> None:
                 kept[before + k] = s[k]
             if before + done == _LINE:
                 stream_line(target - 8 * before, line)
+            else:
+                pending = before + done
     for _ in range((n - done) // _LINE):
         stream_line(target + 8 * done, source + 8 * done)
         done += _LINE
     for k in range(n - done):
         kept[k] = s[done + k]
     if end & LAST:
-        pending = (before + n) & (_LINE - 1)
+        pending += n - done
         last = floats_at(target + 8 * (n - pending))
         for k in range(pending):
             last[k] = kept[k]
