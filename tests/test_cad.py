@@ -339,3 +339,62 @@ def test_a_missing_extra_names_the_pip_command(monkeypatch):
     monkeypatch.setitem(sys.modules, "rhino3dm", None)
     with pytest.raises(QuintrigError, match=r"pip install 'quintrig\[cad\]'"):
         extras.need("rhino3dm", "3DM exchange")
+
+
+@pytest.mark.parametrize("far", [1e4, 1e6, 1e9])
+@pytest.mark.parametrize("suffix", SUFFIXES)
+def test_far_from_the_origin_files_are_as_near_as_coordinates_can_be(suffix, far, tmp_path):
+    surface = quintrig.tensor(shapes.net() + far, shapes.SHAPE)
+    model = model_of(surface, "far", "mm")
+    path = tmp_path / f"far.{suffix}"
+    notes = "\n".join(export_cad(model, path))
+    contents = isolated.read_here(path)
+    (found,) = deviations(carriers(model), contents, 100)
+    assert found.distance <= 32 * np.spacing(far)
+    assert ("from the origin" in notes) == (far > 1e4)
+    (face,) = contents.faces
+    # The control points, not only points computed from them, come back to the last bits.
+    form = exact_surface(surface)
+    assert np.abs(np.array(face.keys["points"]) - form.points).max() <= 2 * np.spacing(far)
+    if suffix != "3dm":
+        from quintrig.exchange.occ import explored, module
+
+        (shape,) = (s for s in read_shapes(path))
+        assert module("BRepCheck").BRepCheck_Analyzer(shape).IsValid()
+        assert len(explored(shape, "FACE")) == 1
+
+
+def read_shapes(path):
+    """The shape of a file through OpenCASCADE's plain readers, not quintrig's."""
+    if path.suffix == ".brep":
+        from OCP.BRep import BRep_Builder
+        from OCP.BRepTools import BRepTools
+        from OCP.TopoDS import TopoDS_Shape
+
+        shape = TopoDS_Shape()
+        assert BRepTools.Read_s(shape, str(path), BRep_Builder())
+        return [shape]
+    if path.suffix == ".step":
+        from OCP.STEPControl import STEPControl_Reader as Reader
+    else:
+        from OCP.IGESControl import IGESControl_Reader as Reader
+    reader = Reader()
+    assert int(reader.ReadFile(str(path)).value) == 1
+    reader.TransferRoots()
+    return [reader.OneShape()]
+
+
+def test_far_patches_are_sewn(lid, tmp_path):
+    far = Model(
+        "far", "mm", tuple(Patch(p.name, None, quintrig.tensor(p.surface.net + 1e8, shapes.SHAPE)) for p in lid.patches)
+    )
+    notes = "\n".join(export_cad(far, tmp_path / "far.step"))
+    assert "1 shared edges, 10 free edges" in notes
+    assert len(isolated.read_here(tmp_path / "far.step").faces) == 3
+
+
+def test_a_single_point_is_refused_as_such(tmp_path):
+    model = model_of(quintrig.tensor(np.ones((6, 6, 3)), shapes.SHAPE), "dot")
+    with pytest.raises(ValueError, match='patch "dot": all of it is a single point'):
+        export_cad(model, tmp_path / "dot.step")
+    assert not (tmp_path / "dot.step").exists()

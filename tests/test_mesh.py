@@ -301,3 +301,84 @@ def test_the_header_says_which_way_the_triangles_face(flip, tmp_path):
     volume = np.linalg.det(corners).sum() / 6
     assert (volume > 0) == (not flip)
     assert ("against S_u x S_v" in header) == (not flip)
+
+
+def moved(surface_net, far):
+    return quintrig.tensor(np.asarray(surface_net) + far, shapes.SHAPE)
+
+
+def corners_of(path):
+    """Corners of the triangles (m, 3, 3) as trimesh or meshio reads them, in the model's unit mm."""
+    import meshio
+    import trimesh
+
+    if path.suffix == ".vtu":
+        read = meshio.read(path)
+        return read.points[read.cells_dict["triangle"]]
+    read = trimesh.load(path, process=False, force="mesh")
+    points = np.asarray(read.vertices, dtype=np.float64)
+    if path.suffix == ".glb":  # metres, y up
+        points = 1000 * np.stack([points[:, 0], -points[:, 2], points[:, 1]], axis=1)
+    return points[read.faces]
+
+
+def farthest(corners, points):
+    """Largest distance of points (k, 3) from triangles (m, 3, 3)."""
+    a, b, c = np.moveaxis(corners, 1, 0)
+    return max(nearest_on_triangle(np.broadcast_to(point, a.shape), a, b, c).min() for point in points)
+
+
+@pytest.mark.parametrize("far", [0.0, 1e4, 1e6, 1e9])
+@pytest.mark.parametrize("suffix", SUFFIXES)
+def test_a_file_keeps_its_tolerance_far_from_the_origin_or_is_refused(suffix, far, tmp_path):
+    path = tmp_path / f"far{suffix}"
+    surface = moved(shapes.net(), far)
+    tolerance = 1e-3 * surface.size
+    one = Model("far", "mm", (Patch("far", None, surface),))
+    if suffix == ".stl" and far >= 1e6:
+        with pytest.raises(ValueError, match=r"STL holds float32.*write \.obj, \.ply, \.glb, \.vtu"):
+            export_mesh(one, path, MeshOptions(tolerance=tolerance))
+        assert not path.exists()
+        return
+    notes = export_mesh(one, path, MeshOptions(tolerance=tolerance))
+    corners = corners_of(path)
+    told = float(notes[0].split("chord measured ")[1].split(",")[0])
+    assert told <= tolerance
+    # The surface at the origin, moved: its points are known to more digits than those of the moved one.
+    u, v = np.random.default_rng(1).uniform(size=(2, 300))
+    points = surface(u, v)
+    assert farthest(corners, points) <= tolerance
+    assert len(np.unique(corners.reshape(-1, 3), axis=0)) == int(notes[0].split(" ")[0].replace(",", ""))
+
+
+def test_a_tolerance_below_float32_is_kept_by_finer_triangles_or_refused(tmp_path):
+    surface = moved(shapes.net(), 3e3)
+    one = Model("far", "mm", (Patch("far", None, surface),))
+    step = float(np.spacing(np.float32(3e3)))
+    path = tmp_path / "fine.stl"
+    with pytest.raises(ValueError, match=r"STL holds float32, which .* from the origin would move points"):
+        export_mesh(one, path, MeshOptions(tolerance=2 * step))
+    export_mesh(one, path, MeshOptions(tolerance=6 * step))
+    corners = corners_of(path)
+    u, v = np.random.default_rng(1).uniform(size=(2, 100))
+    points = surface(u, v)
+    assert farthest(corners, points) <= 6 * step
+
+
+@pytest.mark.parametrize("far", [1e6, 1e9])
+def test_neighbours_and_poles_are_one_far_from_the_origin(far):
+    net = shapes.net()
+    net[0] = net[0, 0] + 0.1  # rounding makes the collapsed edge's points differ when they are moved
+    patches = [*quilt(), quintrig.tensor(net - [0, 50, 0])]
+    near = mesh(patches, grid=(9, 9))
+    there = mesh([quintrig.tensor(patch.net + far, flip=patch.flip) for patch in patches], grid=(9, 9))
+    assert there.open_edges == near.open_edges
+    assert len(there.points) == len(near.points)
+
+
+def test_a_single_point_is_told_as_such(tmp_path):
+    surface = quintrig.tensor(np.ones((6, 6, 3)), shapes.SHAPE)
+    with pytest.raises(ValueError, match="single point"):
+        mesh([surface])
+    with pytest.raises(ValueError, match='patch "dot": all of it is a single point'):
+        export_mesh(Model("dot", "mm", (Patch("dot", None, surface),)), tmp_path / "dot.stl")

@@ -16,6 +16,7 @@ from quintrig.arrays import FloatArray
 from quintrig.mesh_edges import Link, links
 from quintrig.mesh_lines import Cut, cut_by_tolerance, gap
 from quintrig.quantity import BY_KEY
+from quintrig.rounding import rounding
 from quintrig.sample import analyse
 from quintrig.surface import Surface
 
@@ -69,6 +70,8 @@ def mesh(
     else:
         if tolerance is None:
             tolerance = 1e-3 * min(surface.size for surface in surfaces)
+            if not tolerance > 0.0:
+                raise ValueError("mesh: all of a surface is a single point; are its control points equal?")
         if not tolerance > 0.0:
             raise ValueError(f"mesh: expected a chordal tolerance greater than 0, found {tolerance:g}")
         cuts = cut_by_tolerance(surfaces, found, tolerance, MOST_POINTS)
@@ -149,7 +152,7 @@ def _same_points(
     for k, surface in enumerate(surfaces):
         for side in range(4):
             line = _edge(cuts, starts, k, side)
-            if np.ptp(points[line], axis=0).max() <= 1e-12 * surface.size:
+            if np.ptp(points[line], axis=0).max() <= 1e-12 * surface.size + rounding(points[line]):
                 pairs.append((np.full_like(line, line[0]), line))
     return pairs
 

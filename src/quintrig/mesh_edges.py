@@ -6,10 +6,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from quintrig.arrays import FloatArray
+from quintrig.rounding import rounding
 from quintrig.surface import Surface
 
 _SAME = 1e-9
-"""Edges this near, relative to the smaller patch's size, are one."""
+"""Edges this near, relative to the smaller patch's size and beside rounding, are one."""
 
 Side = tuple[int, int]
 """A patch's number and its side: 0, 1 are u = 0, 1 and 2, 3 are v = 0, 1."""
@@ -33,10 +34,11 @@ def links(surfaces: Sequence[Surface]) -> list[Link]:
     t = np.linspace(0.0, 1.0, 13)
     curves = {(k, side): _along(surface, side, t) for k, surface in enumerate(surfaces) for side in range(4)}
     sizes = [surface.size for surface in surfaces]
-    alive = [key for key, curve in curves.items() if np.ptp(curve, axis=0).max() > _SAME * sizes[key[0]]]
+    rounded = {key: rounding(curve) for key, curve in curves.items()}
+    alive = [key for key, c in curves.items() if np.ptp(c, axis=0).max() > _SAME * sizes[key[0]] + rounded[key]]
     result: list[Link] = []
-    for first, second in _near(alive, curves, _SAME * max(sizes)):
-        reach = _SAME * min(sizes[first[0]], sizes[second[0]])
+    for first, second in _near(alive, curves, _SAME * max(sizes) + max(rounded.values())):
+        reach = _SAME * min(sizes[first[0]], sizes[second[0]]) + max(rounded[first], rounded[second])
         for backwards in (False, True):
             other = curves[second][::-1] if backwards else curves[second]
             if np.abs(curves[first] - other).max() <= reach:

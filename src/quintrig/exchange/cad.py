@@ -11,6 +11,7 @@ from quintrig.exchange.deviation import deviations
 from quintrig.exchange.fit import FitOptions
 from quintrig.exchange.formats import suffixes
 from quintrig.exchange.isolated import read_here
+from quintrig.exchange.origin import far, refuse_point
 from quintrig.exchange.units import ASSUMED
 from quintrig.files import write_whole
 from quintrig.model import Model
@@ -19,7 +20,10 @@ SUFFIXES = suffixes("cad")
 """Endings of the CAD files that can be written."""
 
 _LARGEST_DEVIATION = 1e-12
-"""Of an exact file from its model, relative to the patch's size; more means a fault, and nothing is written."""
+"""Of an exact file from its model, relative to the patch's size and beside what rounding explains; more is a fault."""
+
+_TOLD = 1e-10
+"""Rounding of the coordinates, relative to the patch's size, that the user should know of."""
 
 
 @dataclass(frozen=True)
@@ -40,9 +44,10 @@ def export_cad(model: Model, path: Path, options: CadOptions | None = None) -> t
     """Write a STEP, IGES, BREP or 3DM file, and return what to tell about it, one line each.
 
     The file is read back and every patch compared at 10,000 points before it takes its place. Raises QuintrigError for
-    a missing extra or an unwritable target, ValueError where a patch has no such form.
+    a missing extra or an unwritable target, ValueError where a patch is a point or has no such form.
     """
     options = options or CadOptions()
+    refuse_point(model)
     parts = carriers(model, options.fit)
     notes = [f"{part.name}: {part.note}" for part in parts]
     data, more = _data(model, path.suffix.lower(), parts, options, "; ".join(notes))
@@ -85,12 +90,16 @@ def _compared(parts: tuple[Carrier, ...], copy: Path, path: Path) -> list[str]:
     """Return a line on each patch; QuintrigError where an exact file is not exact."""
     lines: list[str] = []
     for part, found in zip(parts, deviations(parts, read_here(copy)), strict=True):
-        if part.deviation == 0.0 and not found.relative <= _LARGEST_DEVIATION:
+        allowed = _LARGEST_DEVIATION * part.surface.size + found.rounding
+        if part.deviation == 0.0 and not found.distance <= allowed:
             raise QuintrigError(
-                f"{path}: not written: read back, patch {part.name!r} deviates by {found.relative:.1e} of its size; "
-                "please report this with the model"
+                f"{path}: not written: read back, patch {part.name!r} deviates by {found.distance:.2g} "
+                f"({found.relative:.1e} of its size), where {allowed:.2g} can be explained; please report this with "
+                "the model"
             )
         lines.append(
             f"{found.name}: read back, largest deviation {found.distance:.2g} ({found.relative:.1e} of its size)"
         )
+        if found.rounding > _TOLD * part.surface.size:
+            lines.append(f"{found.name}: {far(part.surface)}; move the model nearer for more digits")
     return lines

@@ -9,17 +9,22 @@ from quintrig.arrays import FloatArray
 from quintrig.exchange.carrier import Carrier
 from quintrig.exchange.faces import Contents
 from quintrig.model import Model
+from quintrig.rounding import rounding
 from quintrig.sample import grid
 from quintrig.surface import Surface
 
 
 @dataclass(frozen=True)
 class Deviation:
-    """The largest distance over one patch, length¹, and the same over the patch's size."""
+    """The largest distance over one patch, length¹, and the same over the patch's size.
+
+    ``rounding`` is what that distance may be where both are right, length¹: coordinates have 16 digits.
+    """
 
     name: str
     distance: float
     relative: float
+    rounding: float
 
 
 def deviations(parts: Sequence[Carrier], contents: Contents, points: int = 100) -> tuple[Deviation, ...]:
@@ -36,7 +41,7 @@ def deviations(parts: Sequence[Carrier], contents: Contents, points: int = 100) 
     for part in parts:
         nearest = min(surfaces, key=lambda other: _distance(part, other, *few))
         distance = _distance(part, nearest, u, v)
-        result.append(Deviation(part.name, distance, distance / part.surface.size))
+        result.append(Deviation(part.name, distance, distance / part.surface.size, rounding(part.surface(*few))))
     return tuple(result)
 
 

@@ -21,6 +21,19 @@ from quintrig.mesh import Mesh
 _JSON, _BINARY = 0x4E4F534A, 0x004E4942  # types of the two chunks of a GLB file
 
 
+def stored(points: FloatArray, suffix: str) -> FloatArray:
+    """Return points (n, 3), length¹, as a file of this ending holds them: STL and GLB have 24 bits, the others 53."""
+    if suffix not in (".stl", ".glb"):
+        return points
+    centre = _centre(points) if suffix == ".glb" else np.zeros(3)
+    with np.errstate(over="ignore"):
+        return centre + (points - centre).astype("<f4").astype(np.float64)
+
+
+def _centre(points: FloatArray) -> FloatArray:
+    return 0.5 * (points.min(axis=0) + points.max(axis=0))
+
+
 def stl(mesh: Mesh, remarks: Sequence[str]) -> bytes:
     """Return a binary STL: triangles in float32 with their own normals; the first remark goes into its header."""
     corners = mesh.points[mesh.triangles]
@@ -77,7 +90,7 @@ def glb(mesh: Mesh, colours: FloatArray | None, remarks: Sequence[str], metres: 
     ``colours`` (n, 3) are sRGB in [0, 1], ``metres`` the model's unit. The node turns z up into y up; its translation
     keeps the digits of a model that lies far from the origin.
     """
-    centre = 0.5 * (mesh.points.min(axis=0) + mesh.points.max(axis=0))
+    centre = _centre(mesh.points)
     near = (mesh.points - centre).astype("<f4")
     pack = _Buffer()
     attributes = {

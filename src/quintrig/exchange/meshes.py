@@ -1,7 +1,7 @@
 """A model as a mesh file, coloured by a quantity."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -9,6 +9,7 @@ import numpy as np
 from quintrig.arrays import FloatArray
 from quintrig.exchange import mesh_files
 from quintrig.exchange.formats import suffixes
+from quintrig.exchange.origin import distance, refuse_point
 from quintrig.exchange.units import stated
 from quintrig.files import write_whole
 from quintrig.integrate import orientation
@@ -18,6 +19,9 @@ from quintrig.quantity import Quantity, quantity
 
 SUFFIXES = suffixes("mesh")
 """Endings of the mesh files that can be written."""
+
+_ROUNDED = 0.25
+"""Share of the tolerance that the rounding of the file's numbers may take."""
 
 QUANTITIES = ("gaussian", "mean", "k1", "k2", "shape_index", "curvedness")
 """Stored with each point where the format can."""
@@ -44,15 +48,19 @@ class MeshOptions:
 def export_mesh(model: Model, path: Path, options: MeshOptions | None = None) -> tuple[str, ...]:
     """Write an STL, OBJ, PLY, GLB or VTU file, and return what to tell about it, one line each.
 
-    Raises ValueError for a tolerance that takes too many points, QuintrigError for an unwritable target.
+    The chord that is told and kept to the tolerance is that of the file: the rounding of its numbers counts in. Raises
+    ValueError for a tolerance that takes too many points or that the file's numbers cannot keep, QuintrigError for an
+    unwritable target.
     """
+    refuse_point(model)
     options = options or MeshOptions()
     keys = list(options.quantities)
     if options.colour and options.colour not in keys:
         keys.append(options.colour)
-    surfaces = [patch.surface for patch in model.patches]
-    result = mesh(surfaces, tolerance=options.tolerance, grid=options.grid, quantities=keys)
     suffix = path.suffix.lower()
+    result = _kept(model, suffix, options, keys)
+    moved = _moved(result.points, suffix)
+    result = replace(result, chord=result.chord + moved)
     colours, legend = (None, "") if options.colour is None else _colours(result, model, quantity(options.colour))
     remarks = _remarks(model, result, legend if suffix not in (".stl", ".vtu") else "")
     write_whole(path, _data(suffix, result, colours, remarks, stated(model.unit).millimetres * 1e-3))
@@ -62,7 +70,31 @@ def export_mesh(model: Model, path: Path, options: MeshOptions | None = None) ->
         f"chord measured {result.chord:.3g}{asked}{_unit(model)}",
         "watertight" if result.open_edges == 0 else f"{result.open_edges:,} triangle sides lie on open borders",
     ]
+    if moved > 0.01 * result.chord:
+        lines.append(f"float32 moves points by up to {moved:.2g}{_unit(model)}, which is in the chord measured")
     return (*lines, *result.notes, *([legend] if legend and suffix not in (".stl", ".vtu") else []))
+
+
+def _kept(model: Model, suffix: str, options: MeshOptions, keys: Sequence[str]) -> Mesh:
+    """Return a mesh that is within the tolerance as the file will hold it; ValueError naming formats that can."""
+    surfaces = [patch.surface for patch in model.patches]
+    result = mesh(surfaces, tolerance=options.tolerance, grid=options.grid, quantities=keys)
+    moved, allowed = _moved(result.points, suffix), _tolerance(options, model)
+    if not moved <= _ROUNDED * allowed:
+        keeping = [one for one in SUFFIXES if _moved(result.points, one) <= _ROUNDED * allowed]
+        raise ValueError(
+            f"{suffix[1:].upper()} holds float32, which {distance(surfaces[0]):.3g}{_unit(model)} from the origin "
+            f"would move points by up to {moved:.2g}, more than a tolerance of {allowed:.3g} allows; write "
+            f"{', '.join(keeping)}, which keep them, or move the model nearer"
+        )
+    if options.grid is None and result.chord + moved > allowed:  # finer triangles leave room for the rounding
+        return mesh(surfaces, tolerance=allowed - 2.0 * moved, quantities=keys)
+    return result
+
+
+def _moved(points: FloatArray, suffix: str) -> float:
+    """Return the largest distance by which a file's numbers move the points of a mesh, length¹."""
+    return float(np.sqrt(((mesh_files.stored(points, suffix) - points) ** 2).sum(axis=-1)).max(initial=0.0))
 
 
 def _data(suffix: str, result: Mesh, colours: FloatArray | None, remarks: Sequence[str], metres: float) -> bytes:

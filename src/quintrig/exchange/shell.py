@@ -9,6 +9,8 @@ import numpy as np
 from quintrig.exact import ExactSurface
 from quintrig.exchange.carrier import Carrier
 from quintrig.exchange.occ import explored, module, to_occ
+from quintrig.exchange.origin import far
+from quintrig.rounding import rounding
 
 _SMALLEST = 1e-7
 """OpenCASCADE's own confusion distance: edges shorter than this are points to it."""
@@ -26,14 +28,18 @@ class Shell:
 def shell(parts: Sequence[Carrier], tolerance: float | None = None) -> Shell:
     """Return one face, or several sewn together where their edges are within ``tolerance`` (length¹).
 
-    By default the tolerance is 1e-6 of the model's size, and at least twice the deviation of a fit. Raises ValueError
-    where OpenCASCADE makes no valid face of a patch.
+    By default the tolerance is 1e-6 of the model's size, and at least twice the deviation of a fit and four times what
+    rounding moves points by at this distance from the origin. Raises ValueError where OpenCASCADE makes no valid face
+    of a patch.
     """
     faces = [_face(part) for part in parts]
     if len(faces) == 1:
         return Shell(_alone(faces[0]), tuple(faces), ())
     size = _size(parts)
-    reach = tolerance if tolerance is not None else max(1e-6 * size, 2.0 * max(part.deviation for part in parts))
+    reach = tolerance
+    if reach is None:
+        rounded = max(rounding(part.form.points) for part in parts)
+        reach = max(1e-6 * size, 2.0 * max(part.deviation for part in parts), 4.0 * rounded)
     sewing = module("BRepBuilderAPI").BRepBuilderAPI_Sewing(reach)
     for face in faces:
         sewing.Add(face)
@@ -61,8 +67,13 @@ def _face(part: Carrier) -> Any:
     if not maker.IsDone():
         raise ValueError(f'patch "{part.name}": OpenCASCADE makes no face of it ({maker.Error().name})')
     face = maker.Face()
+    # Far from the origin its vertices and edges meet within rounding only, which is more than OpenCASCADE's own least.
+    rounded = rounding(part.form.points)
+    if rounded > _SMALLEST:
+        module("ShapeFix").ShapeFix_ShapeTolerance().LimitTolerance(face, 2.0 * rounded)
     if not module("BRepCheck").BRepCheck_Analyzer(face).IsValid():
-        raise ValueError(f'patch "{part.name}": OpenCASCADE finds the face invalid; is the surface collapsed?')
+        why = f"{far(part.surface)}: move the model nearer" if rounded > _SMALLEST else "is the surface collapsed?"
+        raise ValueError(f'patch "{part.name}": OpenCASCADE finds the face invalid; {why}')
     # A reversed face has its normal against S_u x S_v, as a flipped patch has.
     return face.Reversed() if part.form.flip else face
 

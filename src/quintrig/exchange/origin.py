@@ -1,0 +1,30 @@
+"""What no file holds well: a model far from the origin, and one that is a single point."""
+
+import numpy as np
+
+from quintrig.model import Model
+from quintrig.sample import grid
+from quintrig.surface import Surface
+
+
+def far(surface: Surface) -> str:
+    """Return in words how far from the origin a surface lies, and what the rounding there is, length¹."""
+    away = distance(surface)
+    return f"it lies {away:.3g} from the origin, where coordinates go in steps of {float(np.spacing(away)):.2g}"
+
+
+def distance(surface: Surface) -> float:
+    """Return how far from the origin a surface reaches, length¹, by nine of its points."""
+    points = surface(*grid(3, 3)).reshape(-1, 3)
+    points = points[np.isfinite(points).all(axis=-1)]
+    return float(np.sqrt((points**2).sum(axis=-1)).max(initial=0.0))
+
+
+def refuse_point(model: Model) -> None:
+    """Raise ValueError where all of a patch is one point: it has no size to be exact or near to."""
+    for patch in model.patches:
+        if not patch.surface.size > 0.0:
+            raise ValueError(
+                f'patch "{patch.name}": all of it is a single point; are its control points equal, or so far from the '
+                "origin that rounding makes them equal?"
+            )
