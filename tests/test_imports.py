@@ -13,7 +13,7 @@ ROOT = Path(__file__).parent.parent / "src" / "quintrig"
 GROUPS = (
     "errors files arrays compiled taylor functions bspline basis increments blocks curve rational surface",
     "construct reference nurbs envelope exact",
-    "curvature classify invariants contraction quantity planes kernel evaluate sample",
+    "curvature classify invariants contraction quantity writing planes kernel evaluate sample",
     "quadrature integrate extremes correspondence agreement signs hull cautions summary",
     "definition explain model",
 )

@@ -30,6 +30,7 @@ SOURCES = (
     "planes",
     "quantity",
     "sweep/summarise",
+    "writing",
 )
 """Modules whose text goes into compiled code."""
 

@@ -14,7 +14,8 @@ from quintrig import contraction
 from quintrig.arrays import FloatArray
 from quintrig.blocks import BLOCK
 from quintrig.compiled import call, fence, loop
-from quintrig.planes import FIRST, LAST, SCRATCH
+from quintrig.planes import SCRATCH
+from quintrig.writing import FIRST, LAST
 
 GRID, ROWS = -2, -1
 """What ``rows`` holds instead of functions that the rows share; see ``driver``."""

@@ -18,10 +18,11 @@ from numpy.typing import NDArray
 from quintrig import classify, curvature, invariants
 from quintrig.arrays import FloatArray
 from quintrig.blocks import BLOCK
-from quintrig.compiled import address, codes_at, floats_at, loop, scalar, stream_line, words_at
+from quintrig.compiled import address, codes_at, floats_at, loop, scalar, words_at
 from quintrig.contraction import DU, DUU, DUV, DV, DVV, PARTIALS
 from quintrig.curvature import Three
 from quintrig.quantity import QUANTITIES
+from quintrig.writing import LINE, write, write_past_caches
 
 Addresses = NDArray[np.int64]
 """Where each plane starts, 0 for one that nobody asked for."""
@@ -74,9 +75,6 @@ _INDEX, _PLANAR, _SURFACE = _run("shape_index", "curvedness"), _run(*_SIX), _run
 _POINT_TYPE, _HK = CODE_SLOTS["point_type"], CODE_SLOTS["hk_type"]
 _SHAPE, _INVARIANT = CODE_SLOTS["shape_class"], CODE_SLOTS["invariant_type"]
 
-FIRST, LAST = 1, 2
-"""Marks of the first and the last block of a piece of work."""
-
 KH, FORM, FULL = range(3)
 """How much the planes need: K and H alone; what follows from a, b, c; point, normal and frame too."""
 
@@ -86,9 +84,8 @@ _OF_FORM = {"gaussian", "mean", "k1", "k2", "curvedness", "shape_index", "point_
 _K, _H, _K1, _K2, _S, _CURVED, _A, _B, _C, _R, _CODE = range(PARTIALS, PARTIALS + 11)
 _N, _E1, _E2, SCRATCH_ROWS = range(_CODE + 1, _CODE + 11, 3)
 # After the rows, a cache line for each plane
-_LINE = 8
 _KEPT = SCRATCH_ROWS * BLOCK
-SCRATCH = _KEPT + _LINE * FLOAT_PLANES
+SCRATCH = _KEPT + LINE * FLOAT_PLANES
 """Numbers in scratch."""
 # The partial derivatives' rows are free again once the frame is known.
 _OUT = DU
@@ -289,44 +286,9 @@ def _write(
         if floats[slot + x]:
             source, target = scratch + 8 * (row + x) * BLOCK, floats[slot + x] + 8 * offset
             if stream:
-                _stream(source, target, n, end, scratch + 8 * (_KEPT + _LINE * (slot + x)))
+                write_past_caches(source, target, n, end, scratch + 8 * (_KEPT + LINE * (slot + x)))
             else:
-                s, out = floats_at(source), floats_at(target)
-                for k in range(n):
-                    out[k] = s[k]
-
-
-@scalar
-def _stream(source: int, target: int, n: int, end: int, line: int) -> None:
-    """Copy past the caches, in whole lines: what fills none is kept in ``line`` until the next block goes on from it.
-
-    A line that is written partly past the caches and partly through them costs more than either.
-    """
-    s, out, kept = floats_at(source), floats_at(target), floats_at(line)
-    before, done = (target >> 3) & (_LINE - 1), 0
-    pending = 0
-    if before:
-        done = min(_LINE - before, n)
-        if end & FIRST:
-            for k in range(done):
-                out[k] = s[k]
-        else:
-            for k in range(done):
-                kept[before + k] = s[k]
-            if before + done == _LINE:
-                stream_line(target - 8 * before, line)
-            else:
-                pending = before + done
-    for _ in range((n - done) // _LINE):
-        stream_line(target + 8 * done, source + 8 * done)
-        done += _LINE
-    for k in range(n - done):
-        kept[k] = s[done + k]
-    if end & LAST:
-        pending += n - done
-        last = floats_at(target + 8 * (n - pending))
-        for k in range(pending):
-            last[k] = kept[k]
+                write(source, target, n)
 
 
 @scalar
