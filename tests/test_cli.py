@@ -354,12 +354,26 @@ def test_compare_writes_pictures_and_tables(tmp_path):
     } <= names
     lines = [line for line in (out / "intensities.csv").read_text().splitlines() if not line.startswith("#")]
     rows = list(csv.DictReader(lines))
-    assert [row["shape"] for row in rows] == ["(1, 1, 1, 1)", "(1, 1, -3, -3)"]
     model = quintrig.load(BOOT)
-    for row, shape in zip(rows, ((1, 1, 1, 1), (1, 1, -3, -3)), strict=True):
+    shapes = (model.patch().shape, (1, 1, 1, 1), (1, 1, -3, -3))
+    assert [row["shape"] for row in rows] == [str(tuple(int(x) for x in shape)) for shape in shapes]
+    for row, shape in zip(rows, shapes, strict=True):
         k = quintrig.analyse(model.with_shape(shape).surface, *quintrig.grid(101, 101), ["gaussian"])["gaussian"]
         assert float(row["gaussian_min"]) <= k.min() * (1 - 1e-9)
         assert float(row["gaussian_max"]) >= k.max() * (1 - 1e-9)
+
+
+@pytest.mark.parametrize("shape", ["-1,0.5,0,1", "0,0,0,0"])
+def test_compare_sets_the_models_own_shape_first(shape, tmp_path):
+    model = tmp_path / "m.toml"
+    model.write_text((EXAMPLES / "swept.toml").read_text())
+    own = quintrig.load(model).patch().shape
+    result = cli("compare", model, "--shape", shape)
+    assert result.code == 0, result.err
+    lines = [line for line in result.out.splitlines() if line.startswith(" (")]
+    assert lines[0].startswith(f" ({', '.join(f'{x:g}' for x in own)}) as in the file")
+    other = tuple(float(x) for x in shape.split(","))
+    assert len({line.partition("  ")[0] for line in lines}) == (1 if other == own else 2)
 
 
 def test_compare_writes_one_page_that_stands_alone(tmp_path):

@@ -20,22 +20,31 @@ FOUR_SETS: tuple[tuple[float, ...], ...] = ((1, 1, 1, 1), (1, 1, -3, -3), (1, -3
 TWO_SETS: tuple[tuple[float, ...], ...] = ((1, 1), (0, -4), (-2, 0), (-2, -4))
 """The thesis's sets (α, ζ) for the enveloping developable surface (figures 4.29 to 4.32)."""
 
+AS_GIVEN = "as in the file"
+"""What is said of the model's own shape parameters."""
+
 _INTENSITIES = ("gaussian", "mean")
 _NOISE = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
 class Variant:
-    """A patch with other shape parameters, and its summary."""
+    """A patch with shape parameters, ``own`` where they are those of the model's file, and its summary."""
 
     shape: tuple[float, ...]
     patch: Patch
     summary: Summary
+    own: bool = False
+
+    @property
+    def parameters(self) -> str:
+        """The shape parameters, such as ``(1, 1, -3, -3)``."""
+        return f"({', '.join(f'{value:g}' for value in self.shape)})"
 
     @property
     def label(self) -> str:
-        """The shape parameters as a title, such as ``(1, 1, -3, -3)``."""
-        return f"({', '.join(f'{value:g}' for value in self.shape)})"
+        """The shape parameters as a title, which says whose they are where they are the model's own."""
+        return f"{self.parameters} {AS_GIVEN}" if self.own else self.parameters
 
 
 def standard_shapes(patch: Patch) -> tuple[tuple[float, ...], ...]:
@@ -44,15 +53,19 @@ def standard_shapes(patch: Patch) -> tuple[tuple[float, ...], ...]:
     return FOUR_SETS if len(patch.shape) == 4 else TWO_SETS
 
 
-def with_shapes(patch: Patch, shapes: Sequence[Sequence[float]]) -> tuple[Patch, ...]:
-    """Return the patch with each of several sets of shape parameters; ModelError where they do not fit or act."""
+def beside_own(patch: Patch, shapes: Sequence[Sequence[float]]) -> tuple[Patch, ...]:
+    """Return the patch as it is, then with each of several other sets of shape parameters.
+
+    Raises ModelError where they do not fit or act.
+    """
     _check(patch)
-    return tuple(patch.with_shape(shape) for shape in shapes)
+    others = tuple(patch.with_shape(shape) for shape in shapes)
+    return (patch, *(other for other in others if other.shape != patch.shape))
 
 
-def variant(patch: Patch, unit: str = "") -> Variant:
-    """Return a patch with its shape parameters and its summary."""
-    return Variant(patch.shape, patch, summarise(patch.surface, unit))
+def variant(patch: Patch, unit: str = "", *, own: bool = False) -> Variant:
+    """Return a patch with its shape parameters and its summary; ``own`` says that they are the model's."""
+    return Variant(patch.shape, patch, summarise(patch.surface, unit), own)
 
 
 def intensities(found: Sequence[Variant], title: str = "") -> Table:
@@ -61,8 +74,8 @@ def intensities(found: Sequence[Variant], title: str = "") -> Table:
     What grows without bound beside a singular point is infinite, what is undefined NaN; the notes say why.
     """
     unit = found[0].summary.unit
-    labels = tuple(one.label for one in found)
-    columns = [Column("shape", "shape", r"\mathrm{shape}", "shape parameters", "", labels, labels)]
+    plain, labels = tuple(one.parameters for one in found), tuple(one.label for one in found)
+    columns = [Column("shape", "shape", r"\mathrm{shape}", "shape parameters", "", plain, labels)]
     for key in _INTENSITIES:
         q = BY_KEY[key]
         every = [one.summary.extremes[key] for one in found]
@@ -108,7 +121,8 @@ def _notes(found: Sequence[Variant]) -> tuple[str, ...]:
         f"{summary.orientation[0].upper()}{summary.orientation[1:]}; means are over the area.",
         f"{formulas[0].upper()}{formulas[1:]}.",
     ]
-    told = ((one.label, line) for one in found for line in (*one.summary.warnings, *one.summary.notes))
+    notes += [f"Shape parameters {AS_GIVEN}: {one.parameters}." for one in found if one.own]
+    told = ((one.parameters, line) for one in found for line in (*one.summary.warnings, *one.summary.notes))
     return (*notes, *(f"{label}: {line}" for label, line in told))
 
 

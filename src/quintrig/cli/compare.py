@@ -20,9 +20,9 @@ if TYPE_CHECKING:
 _MOST = 12
 
 _EPILOG = session.examples(
-    ("quintrig compare lid.toml out/shapes", "the thesis's four sets of shape parameters: page, pictures, tables"),
+    ("quintrig compare lid.toml out/shapes", "as it is and with the thesis's four sets: page, pictures, tables"),
     ("quintrig compare lid.toml shapes.html", "the page alone, in one file"),
-    ("quintrig compare lid.toml out/shapes --shape 1,1,1,1 --shape 1,1,-3,-3", "sets of your own, two to twelve"),
+    ("quintrig compare lid.toml out/shapes --shape 1,1,1,1 --shape 1,1,-3,-3", "sets of your own beside it"),
     ("quintrig compare lid.toml", "the table of intensities alone, on the screen"),
 )
 
@@ -42,7 +42,9 @@ def compare(
     ] = None,
     shape: Annotated[
         list[str] | None,
-        typer.Option(metavar="NUMBERS", help="Shape parameters α1,ζ1,α2,ζ2 (α,ζ for a developable). Repeatable."),
+        typer.Option(
+            metavar="NUMBERS", help="Shape parameters α1,ζ1,α2,ζ2 (α,ζ for a developable). Up to twelve times."
+        ),
     ] = None,
     quantities: Annotated[
         str, typer.Option("-q", "--quantities", metavar="KEYS", help="What the pictures show.")
@@ -50,7 +52,7 @@ def compare(
     view: Annotated[str, typer.Option(metavar="VIEW", help="iso, side, back, top, or AZIMUTH,ELEVATION.")] = "iso",
     patch: WhichPatch = None,
 ) -> None:
-    """Show the effect of shape parameters: several sets side by side.
+    """Show the effect of shape parameters: the model's own, and other sets beside them.
 
     Writes a page with pictures on one scale of length and colour and a table of intensities: least, greatest and mean
     K and H, area and energies. In a folder the pictures and the table are files too.
@@ -59,7 +61,7 @@ def compare(
 
     keys, seen = read_keys(quantities), read_view(view)
     loaded = session.load(model)
-    from quintrig.compare import intensities, standard_shapes, variant, with_shapes
+    from quintrig.compare import beside_own, intensities, standard_shapes, variant
     from quintrig.files import refuse_unwritable, write_whole
 
     one = loaded.patch(patch)
@@ -73,12 +75,12 @@ def compare(
     if out is not None:
         refuse_unwritable(out if out.suffix.lower() == ".html" else out / "index.html")
     title = f"{loaded.name}: effect of the shape parameters"
-    changed = with_shapes(one, shapes)
+    sets = beside_own(one, shapes)
     with session.progress() as progress:
         found: list[Variant] = []
-        for index, patch_with_shape in enumerate(changed):
-            progress(f"shape parameters {index + 1} of {len(changed)}", index, len(changed))
-            found.append(variant(patch_with_shape, loaded.unit))
+        for index, changed in enumerate(sets):
+            progress(f"shape parameters {index + 1} of {len(sets)}", index, len(sets))
+            found.append(variant(changed, loaded.unit, own=index == 0))
         table = intensities(found, title)
         results = {} if out is None else _results(out, found, table, keys, seen, progress)
     if out is None:

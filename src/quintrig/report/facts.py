@@ -8,7 +8,7 @@ import numpy as np
 
 from quintrig.agreement import Agreement, compare_methods
 from quintrig.classify import Thresholds
-from quintrig.compare import Variant, standard_shapes, variant, with_shapes
+from quintrig.compare import Variant, beside_own, standard_shapes, variant
 from quintrig.errors import ModelError
 from quintrig.figure import Mark
 from quintrig.model import Patch
@@ -45,9 +45,9 @@ _STEEP = 0.1  # n_z: the slope is 10, and γ1 and γ3 in the metric of the plane
 class Facts:
     """What is known of a patch.
 
-    ``variants`` are its own and the thesis's sets of shape parameters, empty where none act; ``middle`` is the normal
-    at u = v = 1/2, NaN where that point is singular. ``steep`` says that the tangent plane comes so near to vertical
-    that maps of the invariants in the metric of the plane would show little else.
+    ``variants`` are its own, first, and the thesis's sets of shape parameters, empty where none act; ``middle`` is the
+    normal at u = v = 1/2, NaN where that point is singular. ``steep`` says that the tangent plane comes so near to
+    vertical that maps of the invariants in the metric of the plane would show little else.
     """
 
     patch: Patch
@@ -76,12 +76,11 @@ def gather(patch: Patch, unit: str, thresholds: Thresholds, grid: int, detailed:
     u, v = np.array([(mark.u, mark.v) for mark, _ in MARKS]).T
     points = tabulate(surface, u, v, tuple(BY_KEY), unit=unit, thresholds=thresholds)
     variants: list[Variant] = []
-    others = _others(patch) if detailed else ()
-    for other in others:
+    for other in _others(patch) if detailed else ():
         report(f"shape parameters ({', '.join(f'{x:g}' for x in other.shape)})")
         variants.append(variant(other, unit))
-    if variants and patch.shape not in [one.shape for one in variants]:
-        variants.insert(0, Variant(patch.shape, patch, summary))
+    if variants:
+        variants.insert(0, Variant(patch.shape, patch, summary, own=True))
     middle = analyse(surface, 0.5, 0.5, ("normal",)).normal
     x, y, z = (float(part) for part in middle)
     upright = analyse(surface, *between(grid, grid), ("normal",)).normal[..., 2]
@@ -102,7 +101,7 @@ def standard(facts: Facts) -> tuple[Variant, ...]:
 
 def _others(patch: Patch) -> tuple[Patch, ...]:
     try:
-        return with_shapes(patch, standard_shapes(patch))
+        return beside_own(patch, standard_shapes(patch))[1:]
     except ModelError:  # a kind on which shape parameters do not act
         return ()
 

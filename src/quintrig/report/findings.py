@@ -149,4 +149,4 @@ def _effect(facts: Facts) -> Iterator[Markup]:
         return
     yield Markup(
         "Of the thesis’s sets of shape parameters, {} bends it least and {} most: the bending energy is {} against {}."
-    ).format(prose(least.label), prose(most.label), number(bending(least), 3), number(bending(most), 3))
+    ).format(prose(least.parameters), prose(most.parameters), number(bending(least), 3), number(bending(most), 3))

@@ -23,7 +23,7 @@ from quintrig.figure import (
 from quintrig.figure.field import field, zero_lines
 from quintrig.model import Model, Patch
 from quintrig.quantity import BY_KEY
-from quintrig.report.facts import MARKS, Facts, has_effect, standard
+from quintrig.report.facts import MARKS, Facts, has_effect
 from quintrig.report.wording import percent
 from quintrig.table import INVARIANTS
 
@@ -191,7 +191,7 @@ def _agreement(facts: Facts) -> Picture:
 
 
 def _effect(facts: Facts) -> Iterator[Picture]:
-    found = standard(facts)
+    found = facts.variants
     if not found:
         return
     surfaces, labels = [one.patch.surface for one in found], [one.label for one in found]

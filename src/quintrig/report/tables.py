@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from markupsafe import Markup, escape
 
 from quintrig.agreement import REASONS, Agreement, CrossTable
-from quintrig.compare import Variant, intensities
+from quintrig.compare import AS_GIVEN, Variant, intensities
 from quintrig.correspondence import LEVELS, UNDEFINED
 from quintrig.extremes import Extreme, Extremes
 from quintrig.figure.palette import CLASS_COLOURS
@@ -185,11 +185,11 @@ def shares(summary: Summary) -> tuple[Shares, ...]:
     )
 
 
-def intensity_tables(variants: Sequence[Variant], own: tuple[float, ...]) -> tuple[Grid, Grid]:
-    """Return the intensities of several sets of shape parameters, curvatures and integrals; ``own`` is the model's."""
+def intensity_tables(variants: Sequence[Variant]) -> tuple[Grid, Grid]:
+    """Return the intensities of several sets of shape parameters, curvatures and integrals."""
     table = intensities(variants)
     labels = [
-        prose(one.label) + (Markup(' <span class="of">this model</span>') if one.shape == own else Markup(""))
+        prose(one.parameters) + (Markup(' <span class="of">{}</span>').format(AS_GIVEN) if one.own else Markup(""))
         for one in variants
     ]
     lead = [("shape parameters", labels)]
