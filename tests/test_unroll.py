@@ -14,7 +14,7 @@ from quintrig.errors import QuintrigError
 from quintrig.exchange.drawing import LAYERS
 from quintrig.exchange.flatten import SUFFIXES, FlattenOptions, export_pattern, overlaps
 from quintrig.exchange.pattern import PatternOptions, bends, drawing, parts
-from quintrig.model import Patch
+from quintrig.model import Model, Patch
 from quintrig.unroll import Sheet, unroll
 
 if not os.environ.get("CI"):
@@ -276,6 +276,53 @@ def test_a_pattern_over_itself_is_told():
     square = np.array([[0, 0], [1, 0], [1, 1], [0, 1.0]])
     assert not overlaps(square)
     assert overlaps(square[[0, 2, 1, 3]])
+
+
+def sector(degrees, inner=0.0, grows=0.0, n=300):
+    """A sector of a ring as a pattern has it: both its boundaries, the inner one a point for a whole cone."""
+    angle = np.radians(np.linspace(0, degrees, n))
+    arc = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+    wider = (1 + grows * angle)[:, None]
+    rng = np.random.default_rng(0)
+    return np.concatenate([wider * arc, (inner * wider * arc + 1e-16 * rng.normal(size=arc.shape))[::-1]])
+
+
+@pytest.mark.parametrize("inner", [0.0, 0.3])
+@pytest.mark.parametrize(("degrees", "over"), [(36, 0), (161, 0), (255, 0), (359.9, 0), (360, 0), (365, 1), (700, 1)])
+def test_a_sector_lies_over_itself_beyond_a_full_turn(degrees, over, inner):
+    assert overlaps(sector(degrees, inner)) == bool(over)
+    assert overlaps(sector(degrees, inner)[::-1]) == bool(over)
+    if degrees != 360:  # a spiral's ends cross
+        assert overlaps(sector(degrees, inner, 1e-3)) == bool(over)
+
+
+def turned_cone(radius, height, turns):
+    """A cone around the z axis from z = 0 to its apex, wound ``turns`` times, as NURBS of arcs of a third of a turn."""
+    spans = round(3 * turns)
+    angle = np.pi / 3 * np.arange(2 * spans + 1)
+    weights = np.where(np.arange(len(angle)) % 2, 0.5, 1.0)
+    ring = np.stack([np.cos(angle) / weights, np.sin(angle) / weights, 0 * angle], axis=-1) * radius
+    points = np.stack([ring, np.broadcast_to([0.0, 0.0, height], ring.shape)], axis=1)
+    knots = np.repeat(np.arange(spans + 1.0), 2)
+    keys = {"degrees": [2, 1], "points": points.tolist(), "weights": np.stack([weights, weights], 1).tolist()}
+    keys["knots"] = [[0.0, *knots.tolist(), float(spans)], [0, 0, 1, 1]]
+    return Model.from_dict({"kind": "nurbs", "name": "cone", **keys}).patch()
+
+
+@pytest.mark.parametrize(("radius", "height"), [(5, 50), (2, 4), (1, 1), (3, 4), (10, 1), (0.1, 10)])
+@pytest.mark.parametrize("turns", [1, 2])
+def test_only_cones_that_lie_over_themselves_are_said_to(radius, height, turns, tmp_path):
+    over = 360 * turns * radius / np.hypot(radius, height) > 360
+    for patch in (turned_cone(radius, height, turns), Patch("cone", None, quintrig.cone(radius, height))):
+        notes = " ".join(export_pattern(patch, "mm", tmp_path / "cone.svg"))
+        assert ("overlaps itself" in notes) == (over and patch.definition is not None)
+
+
+def test_a_pattern_split_into_parts_no_longer_lies_over_itself(tmp_path):
+    patch = turned_cone(1, 1, 2)
+    assert "overlaps itself" in " ".join(export_pattern(patch, "mm", tmp_path / "whole.svg"))
+    options = FlattenOptions(drawing=PatternOptions(stock=(1.6, 3.0)))
+    assert "overlaps itself" not in " ".join(export_pattern(patch, "mm", tmp_path / "parts.svg", options))
 
 
 def test_wrong_suffix_options_and_targets(tmp_path):

@@ -5,8 +5,9 @@ from pathlib import Path
 
 import numpy as np
 
-from quintrig.arrays import FloatArray
+from quintrig.arrays import BoolArray, FloatArray
 from quintrig.errors import QuintrigError
+from quintrig.exchange.drawing import Drawing
 from quintrig.exchange.formats import suffixes
 from quintrig.exchange.pattern import PatternOptions, drawing
 from quintrig.files import write_whole
@@ -15,6 +16,14 @@ from quintrig.unroll import ALLOWED, Pattern, Sheet, unroll
 
 SUFFIXES = suffixes("pattern")
 """Endings of the pattern files that can be written."""
+
+_TOUCHING = 1e-9
+"""Of the pattern's size: sides this near touch, and do not cross."""
+
+_INSIDE = 1e-6
+"""Of the pattern's size: how far inside a side it is asked whether another part of the pattern lies there too."""
+
+_MOST_TRIED = 400
 
 
 @dataclass(frozen=True)
@@ -62,7 +71,7 @@ def export_pattern(patch: Patch, unit: str, path: Path, options: FlattenOptions 
 
         write_whole(path, pdf(page))
     drawn = [remark for remark in page.remarks if not remark.startswith("boundaries ")]
-    return (*drawn, *_checks(pattern, unit), *_cautions(pattern))
+    return (*drawn, *_checks(pattern, unit), *_cautions(page))
 
 
 def _checks(pattern: Pattern, unit: str) -> tuple[str, ...]:
@@ -76,21 +85,65 @@ def _checks(pattern: Pattern, unit: str) -> tuple[str, ...]:
     )
 
 
-def _cautions(pattern: Pattern) -> tuple[str, ...]:
-    """Tell where the pattern lies over itself: it cannot be cut from one sheet then."""
-    return ("the pattern overlaps itself: split it with a sheet size",) if overlaps(pattern.outline) else ()
+def _cautions(page: Drawing) -> tuple[str, ...]:
+    """Tell where a part of the pattern lies over itself: it cannot be cut from one sheet then."""
+    outlines = [line.points for line in page.lines if line.layer == "OUTLINE"]
+    if not any(overlaps(outline) for outline in outlines):
+        return ()
+    smaller = "a smaller sheet," if len(outlines) > 1 else "a sheet size,"
+    return (f"the pattern overlaps itself: split it with {smaller} --sheet WxH",)
 
 
 def overlaps(outline: FloatArray) -> bool:
-    """Return whether two sides of a closed polygon (n, 2) that are no neighbours cross."""
-    start, end = outline, np.roll(outline, -1, axis=0)
-    n = len(outline)
+    """Return whether a closed polygon (n, 2) crosses itself or covers a part of the plane twice.
+
+    Sides shorter than rounding, as at the apex of a cone, and sides that only touch, as a full turn's, are none.
+    """
+    reach = _TOUCHING * float(np.linalg.norm(np.ptp(outline, axis=0)))
+    start = outline[_norm(outline - np.roll(outline, 1, axis=0)) > reach]
+    if len(start) < 3:
+        return False
+    end = np.roll(start, -1, axis=0)
+    if (start[:, 0] * end[:, 1] - end[:, 0] * start[:, 1]).sum() < 0.0:
+        start, end = end[::-1], start[::-1]  # counter-clockwise
+    return _crosses(start, end, reach) or _doubled(start, end)
+
+
+def _crosses(start: FloatArray, end: FloatArray, reach: float) -> bool:
+    """Return whether two sides that are no neighbours cross, each with both ends farther than ``reach`` off."""
+    n = len(start)
+    lengths = _norm(end - start)
     for i in range(n - 2):
         others = slice(i + 2, n - 1 if i == 0 else n)
         a, b, c, d = start[i], end[i], start[others], end[others]
-        if ((_side(a, b, c) * _side(a, b, d) < 0.0) & (_side(c, d, a) * _side(c, d, b) < 0.0)).any():
+        here = _side(a, b, c) / lengths[i], _side(a, b, d) / lengths[i]
+        there = _side(c, d, a) / lengths[others], _side(c, d, b) / lengths[others]
+        if (_parted(*here, reach) & _parted(*there, reach)).any():
             return True
     return False
+
+
+def _parted(one: FloatArray, other: FloatArray, reach: float) -> BoolArray:
+    return np.asarray((one * other < 0.0) & (np.minimum(np.abs(one), np.abs(other)) > reach))
+
+
+def _doubled(start: FloatArray, end: FloatArray) -> bool:
+    """Return whether the outline runs twice around a point just inside one of its sides, as more than a full turn."""
+    along = end - start
+    inward = np.stack([-along[:, 1], along[:, 0]], axis=-1) / _norm(along)[:, None]
+    size = float(np.linalg.norm(np.ptp(start, axis=0)))
+    inside = 0.5 * (start + end) + _INSIDE * size * inward
+    for point in inside[:: max(1, len(inside) // _MOST_TRIED)]:
+        left = _side(start, end, point)
+        rising = (start[:, 1] <= point[1]) & (end[:, 1] > point[1]) & (left > 0.0)
+        falling = (start[:, 1] > point[1]) & (end[:, 1] <= point[1]) & (left < 0.0)
+        if int(rising.sum()) - int(falling.sum()) > 1:
+            return True
+    return False
+
+
+def _norm(vectors: FloatArray) -> FloatArray:
+    return np.sqrt((vectors**2).sum(axis=-1))
 
 
 def _side(a: FloatArray, b: FloatArray, p: FloatArray) -> FloatArray:
