@@ -4,7 +4,7 @@ import os
 from collections.abc import Callable, Iterable
 from itertools import pairwise
 from threading import Thread
-from typing import Any, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +13,7 @@ from quintrig.arrays import FloatArray, aligned, whole
 from quintrig.blocks import BLOCK, increment_blocks, pad
 from quintrig.functions import Functions
 from quintrig.increments import split, terms
-from quintrig.kernel import GRID, ROWS, Driver, driver
+from quintrig.kernel import GRID, ROWS, driver
 from quintrig.planes import CODE_PLANES, CODE_SLOTS, FLOAT_PLANES, FLOAT_SLOTS, FULL, Addresses, Settings, finish, needs
 from quintrig.quantity import BY_KEY
 from quintrig.surface import Net, Surface
@@ -59,19 +59,20 @@ def on_grid(surface: Surface, u: FloatArray, v: FloatArray, planes: Planes, thre
         return
     rows = _flat(row_derivatives(surface, u))
     blend = _flat(increment_blocks(surface.blend, v))
-    drive = driver(terms(surface.blend), GRID)
+    drive, outputs = driver(terms(surface.blend), GRID), _outputs(planes, at)
     # Several pieces a thread, so that one that starts late or is interrupted does not keep the others waiting.
     pieces = min(len(u), 8 * threads if threads > 1 else 1)
     edges = [len(u) * i // pieces for i in range(pieces + 1)]
 
     def part(ends: tuple[int, int]) -> None:
-        _run(drive, (rows, _NO_NET, blend), ends, v.size, planes, 0, at)
+        drive(rows, _NO_NET, blend, *ends, v.size, 0, *outputs.arguments)
 
     _spread(lambda: part, list(pairwise(edges)), threads)
 
 
 def scattered(surface: Surface, u: FloatArray, v: FloatArray, planes: Planes, threads: int, at: Settings) -> None:
     """Fill planes of shape (components, 1, n) at the n points u (n,), v (n,)."""
+    outputs = _outputs(planes, at)
 
     def worker() -> Callable[[int], None]:
         sizes, inputs = _inputs(surface, min(_PIECE, u.size))
@@ -79,7 +80,7 @@ def scattered(surface: Surface, u: FloatArray, v: FloatArray, planes: Planes, th
 
         def part(start: int) -> None:
             piece = slice(start, min(start + _PIECE, u.size))
-            _run(drive, inputs(u[piece], v[piece]), (0, 1), piece.stop - start, planes, start, at)
+            drive(*inputs(u[piece], v[piece]), 0, 1, piece.stop - start, start, *outputs.arguments)
 
         return part
 
@@ -92,12 +93,13 @@ def _is_wide(surface: Surface) -> bool:
 
 
 def _wide_grid(surface: Surface, u: FloatArray, v: FloatArray, planes: Planes, threads: int, at: Settings) -> None:
+    drive, outputs = driver(*_HANDED), _outputs(planes, at)
     step = max(1, _PIECE // v.size)
 
     def part(start: int) -> None:
         piece = u[start : start + step, None]
         inputs = _handed_through(surface.partials(piece, v[None, :], 2).reshape(3, 3, -1, 3))
-        _run(driver(*_HANDED), inputs, (0, 1), piece.size * v.size, planes, start * v.size, at)
+        drive(*inputs, 0, 1, piece.size * v.size, start * v.size, *outputs.arguments)
 
     _spread(lambda: part, range(0, u.size, step), threads)
 
@@ -168,23 +170,23 @@ def _handed_through(partials: FloatArray) -> _Inputs:
     return _flat(rows), _NO_NET, _flat(unit)
 
 
-def _run(
-    drive: Driver, inputs: _Inputs, rows: tuple[int, int], count: int, planes: Planes, start: int, at: Settings
-) -> None:
-    """Fill some rows of ``count`` points of the planes, whose first point is number ``start``."""
-    need, settings, (floats, codes) = needs(planes), np.array(at), _addresses(planes, start)
-    addresses = (array.ctypes.data for array in (settings, floats, codes))
-    drive(*inputs, *rows, count, need == FULL, finish(need), *addresses)
+class _Outputs(NamedTuple):
+    """What a driver needs to know of the planes: its last arguments, and the arrays that these are addresses of."""
+
+    arguments: tuple[bool, int, int, int, int]
+    arrays: tuple[NDArray[Any], ...]
 
 
-def _addresses(planes: Planes, start: int) -> tuple[Addresses, Addresses]:
-    """Return the addresses of all planes from point ``start`` on, in the driver's order, 0 if not asked for."""
-    floats, codes = np.zeros(FLOAT_PLANES, np.int64), np.zeros(CODE_PLANES, np.int64)
+def _outputs(planes: Planes, at: Settings) -> _Outputs:
+    floats: Addresses = np.zeros(FLOAT_PLANES, np.int64)
+    codes: Addresses = np.zeros(CODE_PLANES, np.int64)
     for key, array in planes.items():
         to, slot = (codes, CODE_SLOTS[key]) if BY_KEY[key].colour == "classes" else (floats, FLOAT_SLOTS[key])
         for x, plane in enumerate(array):
-            to[slot + x] = plane.__array_interface__["data"][0] + start * plane.itemsize
-    return floats, codes
+            to[slot + x] = plane.__array_interface__["data"][0]
+    need, settings = needs(planes), np.array(at, np.float64)
+    addresses = settings.ctypes.data, floats.ctypes.data, codes.ctypes.data
+    return _Outputs((need == FULL, finish(need), *addresses), (settings, floats, codes))
 
 
 def _flat(blocks: FloatArray) -> FloatArray:

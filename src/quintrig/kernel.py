@@ -21,8 +21,8 @@ GRID, ROWS = -2, -1
 """What ``rows`` holds instead of functions that the rows share; see ``driver``."""
 
 
-Driver = Callable[[FloatArray, FloatArray, FloatArray, int, int, int, bool, int, int, int, int], None]
-"""A compiled driver: rows, net, blend, start, stop, count, point, finish, settings, floats, codes; see ``driver``."""
+Driver = Callable[[FloatArray, FloatArray, FloatArray, int, int, int, int, bool, int, int, int, int], None]
+"""A compiled driver of rows, net, blend, start, stop, count, first, point, finish, settings, floats, codes."""
 
 
 @cache
@@ -34,7 +34,8 @@ def driver(terms: int, functions: int) -> Driver:
     scattered points it is the number of increments of the functions that the rows share: ``rows`` (blocks, 3 functions
     BLOCK) holds those, ``net`` ((1 + functions) 3 (1 + terms),) origin and increments of the control points, and output
     row 0 is filled; ``ROWS`` says that ``rows`` (blocks, 9 (1 + terms) BLOCK) are row derivatives already. ``blend``
-    is (blocks, 3 terms BLOCK), ``count`` the number of points in an output row; ``point`` asks for S itself, and
+    is (blocks, 3 terms BLOCK), ``count`` the number of points in an output row, ``first`` that of the first
+    point of row 0; ``point`` asks for S itself, and
     ``finish`` is the address of what ``planes`` does with each block, the rest those of what it needs.
     """
     # Only whole numbers may be held in the closure: they are part of the key under which the cache finds the driver.
@@ -49,6 +50,7 @@ def driver(terms: int, functions: int) -> Driver:
         start: int,
         stop: int,
         count: int,
+        first: int,
         point: bool,
         finish: int,
         settings: int,
@@ -67,7 +69,7 @@ def driver(terms: int, functions: int) -> Driver:
                 contraction.partials(r, d, s, point, terms, BLOCK, stride, step)
                 j = block * BLOCK
                 end = (FIRST if j == 0 and i == start else 0) + (LAST if j + BLOCK >= count and i + 1 == stop else 0)
-                call(finish, s.ctypes.data, min(BLOCK, count - j), i * count + j, end, settings, floats, codes)
+                call(finish, s.ctypes.data, min(BLOCK, count - j), first + i * count + j, end, settings, floats, codes)
         fence()
 
     return drive
