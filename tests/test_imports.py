@@ -14,7 +14,7 @@ GROUPS = (
     "errors files arrays compiled taylor functions bspline basis increments blocks curve rational surface",
     "construct reference nurbs envelope exact",
     "curvature classify invariants contraction quantity writing planes kernel evaluate sample",
-    "quadrature integrate extremes correspondence agreement signs hull cautions summary",
+    "quadrature layers noise beside integrate extremes correspondence agreement signs hull cautions summary",
     "definition explain model",
 )
 CORE = [name for group in GROUPS for name in group.split()]

@@ -4,10 +4,11 @@ The quantity is sampled on a grid that includes edges and corners. Around the be
 window of 9 x 9 points closes in on the extreme: it moves while the best point lies on its border and shrinks otherwise,
 down to 1e-9 of the domain. Windows are cut off at the edges of the domain, so an extreme on an edge or at a corner is
 met exactly. A feature that is narrower than a grid cell and missed by all samples is not found.
-A curvature that is zero at all samples, to rounding, is told as 0.
+A curvature that is zero to rounding is told as 0. Beside singular edges two rings decide whether curvature has a bound,
+as in integrals and sweeps (``beside``).
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -15,7 +16,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quintrig.arrays import BoolArray, FloatArray
+from quintrig.beside import Limit, limits
 from quintrig.integrate import Integral, area_means, orientation
+from quintrig.noise import rounding_floor
 from quintrig.quantity import quantity
 from quintrig.sample import analyse, grid
 from quintrig.surface import Surface
@@ -38,6 +41,9 @@ _BESIDE = 1e-3  # windows that hold undefined points stop here: beyond, rounding
 _SHRINK = 0.3  # a little more than the distance of two points of a window, a quarter of its half width
 _STEPS = 100
 _OFFSETS = 0.25 * (np.argwhere(np.ones((9, 9))) - 4)  # of the points of a window, (81, 2), from -1 to 1
+
+
+_Limits = Mapping[tuple[str, float], Limit]
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,9 +108,10 @@ def find_extremes(
     typical = float(np.median(curved[np.isfinite(curved)])) if np.isfinite(curved).any() else 0.0
     # Where C itself vanishes its own rounding is the measure.
     curved_at = np.maximum(curved, 1e-5 * typical)
+    beside = _beside(surface, curved)
     results: dict[str, Extremes] = {}
     for key in keys:
-        values = sample[key]
+        values = _without_rounding(sample[key], curved, surface.size, key)
         defined = np.isfinite(values)
         power = quantity(key).power
         # Curvatures may cancel; the size of their rounding is that of C to the same power.
@@ -112,8 +119,8 @@ def find_extremes(
         if power < 0 and defined.any() and (np.abs(values) <= _CANCELLED * curved_at**-power)[defined].all():
             minimum = maximum = _zero(surface, np.argwhere(defined)[0] / (samples - 1.0))
         else:
-            minimum = _extreme(surface, key, values, 1.0, natural)
-            maximum = _extreme(surface, key, values, -1.0, natural)
+            minimum = _extreme(surface, key, values, 1.0, natural, beside)
+            maximum = _extreme(surface, key, values, -1.0, natural, beside)
         mean = float(values[defined].mean()) if defined.any() else np.nan
         results[key] = Extremes(
             key, minimum, maximum, means[key], mean, values.size, int((~defined).sum()), orientation(surface)
@@ -126,8 +133,25 @@ def _zero(surface: Surface, place: FloatArray) -> Extreme:
     return Extreme(0.0, float(place[0]), float(place[1]), surface(place[0], place[1]), False, "attained")
 
 
-def _extreme(surface: Surface, key: str, values: FloatArray, sense: float, natural: float) -> Extreme:
+def _beside(surface: Surface, curved: FloatArray) -> _Limits:
+    """Return what becomes of curvatures beside singular edges; empty where there is none, or other singular points."""
+    inner = np.isfinite(curved[1:-1, 1:-1]).all()
+    return (limits(surface) if inner else None) or {}
+
+
+def _without_rounding(values: FloatArray, curved: FloatArray, size: float, key: str) -> FloatArray:
+    """Return the values with 0 for curvatures that are only rounding, ``curved`` being C at the same points."""
+    power = quantity(key).power
+    return np.where(np.abs(values) <= rounding_floor(curved, size, power), 0.0, values) if power < 0 else values
+
+
+def _extreme(
+    surface: Surface, key: str, values: FloatArray, sense: float, natural: float, beside_edges: _Limits
+) -> Extreme:
     """Return the least value (sense 1) or the greatest (-1), starting from the samples (n, n)."""
+    limit = beside_edges.get((key, sense))
+    if limit and limit.unbounded:
+        return Extreme(limit.value, limit.u, limit.v, surface(limit.u, limit.v), True, "unbounded")
     costs = np.where(np.isfinite(values), sense * values, np.inf)
     n = len(costs)
     if not np.isfinite(costs).any():
@@ -137,6 +161,7 @@ def _extreme(surface: Surface, key: str, values: FloatArray, sense: float, natur
     places, found, beside, growing = _refine(
         surface, key, sense, starts / (n - 1.0), costs[starts[:, 0], starts[:, 1]], 1.0 / (n - 1.0), largest
     )
+    growing &= limit is None
     best = min(float(costs.min()), float(found.min()))
     scale = max(abs(best), natural)
     tied = np.argwhere(costs <= best + _EQUAL * scale)
@@ -203,7 +228,7 @@ def _refine(
     beside = done
     for _ in range(_STEPS):
         window = np.clip(places[:, None] + widths[:, None, None] * _OFFSETS, 0.0, 1.0)
-        values = analyse(surface, window[..., 0], window[..., 1], (key,))[key]
+        values = _values(surface, key, window[..., 0], window[..., 1])
         defined = np.isfinite(values)
         beside = np.any(~defined, axis=1)
         costs = np.where(defined, sense * values, np.inf)
@@ -224,6 +249,14 @@ def _refine(
     unbounded = np.maximum(np.abs(best), _RISE * largest) <= best - probe
     places, best = np.where(unbounded[:, None], nearer, places), np.where(unbounded, probe, best)
     return places, best, beside, unbounded | (np.abs(best) > _POLE * largest)
+
+
+def _values(surface: Surface, key: str, u: FloatArray, v: FloatArray) -> FloatArray:
+    """Return the quantity, 0 where it is only rounding."""
+    if quantity(key).power >= 0:
+        return analyse(surface, u, v, (key,))[key]
+    sample = analyse(surface, u, v, tuple(dict.fromkeys((key, "curvedness"))))
+    return _without_rounding(sample[key], sample["curvedness"], surface.size, key)
 
 
 def _probe(

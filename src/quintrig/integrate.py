@@ -4,7 +4,8 @@ The domain is cut into p x p panels with 16 x 16 Gauss-Legendre nodes each, and 
 The error stated is their difference, which is that of the coarser one, so the value is better than it says. Nodes never
 lie on an edge, so an integrand that stays bounded there (the pole of a sphere, the apex of a cone for ∫H dA) does no
 harm. One that does not (κ² at an apex, at an edge with α = -4, at an edge of regression) makes the results grow with
-every doubling: the status then says so, and the value is only the last one reached.
+every doubling: the status then says so, and the value is only the last one reached. Just above α = -4 an integral is
+finite, however large: panels graded to the edge resolve it (``layers``).
 """
 
 from collections.abc import Sequence
@@ -13,10 +14,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from quintrig.arrays import FloatArray
+from quintrig.beside import CURVATURES, limits
 from quintrig.envelope import inner_regression
-from quintrig.quadrature import NODES, Integral, checked_tolerance, converge, panel_sums
+from quintrig.layers import Layers, find_layers
+from quintrig.quadrature import NODES, Integral, Status, checked_tolerance, converge, graded, panel_sums
 from quintrig.quantity import BY_KEY, Quantity, quantity
-from quintrig.sample import Sample, analyse, grid
+from quintrig.sample import SINGULAR, Sample, analyse, grid
 from quintrig.surface import Surface
 
 INTEGRALS: tuple[Quantity, ...] = (
@@ -69,6 +72,10 @@ INTEGRALS: tuple[Quantity, ...] = (
 """The integrals, in the order of tables; ``parity`` and ``power`` as for the quantities at a point."""
 
 _LAST = 1e-14  # of the coordinates
+_POINT = (
+    SINGULAR / np.finfo(np.float64).eps
+)  # units in the last place that are no more than a point, as in ``cautions``
+_ROUGH = 100.0  # units in the last place that a tolerance takes
 _NOISE = 1e-12  # curvedness times size that is rounding of a plane, as in ``sample``
 
 
@@ -77,7 +84,8 @@ class Integrals:
     """The integrals of a surface; ``integrals["area"]`` or ``integrals.area``.
 
     ``points`` is the number of nodes of the last resolution; ``undefined`` the share of the domain whose nodes are
-    singular, which adds nothing to the integrals of curvature. ``orientation`` says which way the normal points.
+    singular, which adds nothing to the integrals of curvature. ``units`` is the surface's size in units in the last
+    place of its coordinates. ``orientation`` says which way the normal points.
     """
 
     area: Integral
@@ -88,6 +96,7 @@ class Integrals:
     tolerance: float
     points: int
     undefined: float
+    units: float
     orientation: str
 
     def __getitem__(self, key: str) -> Integral:
@@ -107,7 +116,17 @@ class Integrals:
     @property
     def cautions(self) -> tuple[str, ...]:
         """What is wrong with the numbers, one sentence for each that did not converge; empty where all did."""
+        if self.units <= _POINT:
+            return ("The surface is a single point, to rounding: it has no curvature to integrate.",)
         notes: list[str] = []
+        rough = [row.name for row in INTEGRALS if self[row.key].status == "not converged"]
+        if rough and self.units * self.tolerance < _ROUGH:
+            notes.append(
+                f"The {', '.join(rough)} {'is' if len(rough) == 1 else 'are'} not resolved to the tolerance "
+                f"{self.tolerance:g} because of rounding: the size of the surface is only {self.units:.2g} units in "
+                "the last place of its coordinates; move it nearer to the origin."
+            )
+            rough = []
         for row in INTEGRALS:
             integral = self[row.key]
             if integral.status == "grows without bound":
@@ -115,11 +134,11 @@ class Integrals:
                     f"The {row.name} is probably infinite: every refinement adds to it, the last one "
                     f"{integral.error:.3g}, because the curvature is unbounded at a singular point or edge."
                 )
-            elif integral.status == "not converged":
+            elif row.name in rough:
                 notes.append(
-                    f"The {row.name} is not reached to the tolerance {self.tolerance:g}: the last two resolutions "
-                    f"differ by {integral.error:.3g}, likely because of a fold, a singular curve or a sharp crease "
-                    "inside."
+                    f"The {row.name} is not resolved to the tolerance {self.tolerance:g}: the last two resolutions "
+                    f"differ by {integral.error:.3g}, as beside a fold, a singular point or a sharp crease, or where "
+                    "rounding is as large."
                 )
             elif integral.status == "undefined":
                 notes.append(f"The {row.name} is undefined, since every point is singular.")
@@ -144,9 +163,11 @@ def integrals(surface: Surface, tolerance: float = 1e-9, panels: int = 64) -> In
     reach = float(np.abs(surface(*grid(3, 3))).max())
     rounding = (_LAST * reach) ** 2 * np.array([1.0, 0.0, 0.0, 0.0, 1e4, 0.0])
 
+    layers = find_layers(surface)
+
     def measure(count: int) -> tuple[FloatArray, FloatArray, FloatArray]:
         area, total, mean, bending, plate, curvedness, undefined = panel_sums(
-            lambda u, v: _densities(surface, u, v), count
+            lambda u, v: _densities(surface, u, v), *_panels(count, layers)
         )
         plane = _NOISE / size * area if size > 0.0 else 0.0  # ∫C dA that is rounding of a plane
         root = curvedness**2 / area if area > 0.0 else 0.0
@@ -156,17 +177,19 @@ def integrals(surface: Surface, tolerance: float = 1e-9, panels: int = 64) -> In
         return np.array([area, total, mean, bending, plate, undefined]), scales, noise + rounding
 
     results, count = converge(measure, tolerance, panels)
-    undefined = min(results[5].value, 1.0)
+    units = size / float(np.spacing(reach)) if reach > 0.0 else 0.0
+    undefined = 1.0 if units <= _POINT else min(results[5].value, 1.0)
     if undefined > 1.0 - 1e-9:
         results[1:4] = [Integral(np.nan, np.nan, "undefined")] * 3
         undefined = 1.0
     results = [replace(r, value=0.0) if abs(r.value) <= x else r for r, x in zip(results, rounding, strict=True)]
     area, total, mean, bending, plate = results[:5]
-    # Beside an edge of regression κ grows as 1/distance; panels that it runs through aslant show it by leaps only.
-    if bending.status == "not converged" and inner_regression(surface) is not None:
-        bending = replace(bending, status="grows without bound")
-    points = (NODES * count) ** 2
-    return Integrals(area, total, mean, bending, plate, tolerance, points, undefined, orientation(surface))
+    bending = replace(bending, status=_energy_status(surface, bending.status))
+    # The others are areas and angles, of the Gauss image too: finite even where curvature has no bound.
+    area, total, mean, plate = (_bounded(result) for result in (area, total, mean, plate))
+    nu, nv = (len(ends) - 1 for ends in _panels(count, layers))
+    points = NODES**2 * nu * nv
+    return Integrals(area, total, mean, bending, plate, tolerance, points, undefined, units, orientation(surface))
 
 
 def area_means(surface: Surface, keys: Sequence[str], tolerance: float = 1e-5, panels: int = 16) -> dict[str, Integral]:
@@ -179,9 +202,10 @@ def area_means(surface: Surface, keys: Sequence[str], tolerance: float = 1e-5, p
     rows = [_scalar(key) for key in keys]
     size = surface.size
     per_size = 1.0 / size if size > 0.0 else 0.0
+    layers = find_layers(surface)
 
     def measure(count: int) -> tuple[FloatArray, FloatArray, FloatArray]:
-        sums = panel_sums(lambda u, v: _moments(surface, keys, u, v), count)
+        sums = panel_sums(lambda u, v: _moments(surface, keys, u, v), *_panels(count, layers))
         n = len(keys)
         with np.errstate(divide="ignore", invalid="ignore"):
             means, sizes, curved = (
@@ -198,6 +222,8 @@ def area_means(surface: Surface, keys: Sequence[str], tolerance: float = 1e-5, p
     pairs = zip(results[: len(keys)], results[len(keys) :], strict=True)
     # Where ∫|q| dA is infinite, halves of opposite sign may still cancel by symmetry: that is no mean.
     means = [mean if size.converged else replace(mean, status=size.status) for mean, size in pairs]
+    # Only what is undefined where the tangent plane is vertical has no mean; ∫|K| dA and ∫C dA are finite.
+    means = [_bounded(mean) if row.key in CURVATURES else mean for row, mean in zip(rows, means, strict=True)]
     return dict(zip(keys, means, strict=True))
 
 
@@ -216,6 +242,26 @@ def area_weights(sample: Sample) -> FloatArray:
 def orientation(surface: Surface) -> str:
     """Return in words which way the normal points."""
     return "the normal points against S_u × S_v (flipped)" if surface.flip else "the normal points along S_u × S_v"
+
+
+def _energy_status(surface: Surface, seen: Status) -> Status:
+    """Return the status of the bending energy: one that seems to grow has no bound only where curvature has none."""
+    if seen not in ("not converged", "grows without bound"):
+        return seen
+    # Beside an edge of regression κ grows as 1/distance; panels that it runs through aslant show it by leaps only.
+    if inner_regression(surface) is not None:
+        return "grows without bound"
+    found = limits(surface) if seen == "grows without bound" else None
+    return seen if found and found["curvedness", -1.0].unbounded else "not converged"
+
+
+def _bounded(found: Integral) -> Integral:
+    return replace(found, status="not converged") if found.status == "grows without bound" else found
+
+
+def _panels(count: int, layers: Layers) -> tuple[FloatArray, FloatArray]:
+    """Return the ends of the panels in u and v, ``count`` a side and more where there are layers."""
+    return graded(count, *layers[:2]), graded(count, *layers[2:])
 
 
 def _densities(surface: Surface, u: FloatArray, v: FloatArray) -> FloatArray:

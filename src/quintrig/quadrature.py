@@ -1,5 +1,7 @@
 """Integration over the domain [0, 1]² by Gauss-Legendre panels that are doubled until two results agree.
 
+Panels next to an edge are graded: each a quarter of the one before, down to the width of the layer there in which the
+integrand changes (``layers`` measures it). Doubling shifts the graded panels too, so that their error is seen as well.
 The error stated is the difference of the last two results, which is that of the coarser one, so the value is better
 than it says.
 """
@@ -15,6 +17,7 @@ from quintrig.arrays import BoolArray, FloatArray, number
 Status = Literal["converged", "not converged", "grows without bound", "undefined"]
 
 NODES = 16
+_GRADING = 0.25  # 16 nodes see a pole at the near end of such a panel's neighbour to 1e-15
 _ROWS = 64  # rows of nodes evaluated at once, so that memory stays small
 
 Density = Callable[[FloatArray, FloatArray], FloatArray]
@@ -48,13 +51,38 @@ def checked_tolerance(value: float) -> float:
     return value
 
 
-def panel_sums(density: Density, panels: int) -> FloatArray:
-    """Return the integrals (k,) over [0, 1]² with panels x panels Gauss-Legendre panels of 16 x 16 nodes."""
+def graded(panels: int, first: float, last: float) -> FloatArray:
+    """Return the ends of ``panels`` equal panels of [0, 1], those at its ends graded to layers of these widths."""
+    start, end = _grades(panels, first), _grades(panels, last)
+    if panels == 1 and len(start) + len(end):
+        # One panel has two ends: grade each half.
+        start, end = _grades(2, first), _grades(2, last)
+        panels = 2
+    inner = np.linspace(0.0, 1.0, panels + 1)
+    return np.concatenate([inner[:1], start, inner[1:-1], 1.0 - end[::-1], inner[-1:]])
+
+
+def _grades(panels: int, layer: float) -> FloatArray:
+    """Return where to cut the first panel, from the edge on, so that the piece at the edge is no wider than a layer.
+
+    It is cut as often as [0, 1] would be: so doubling halves all panels, and an integral without bound keeps growing.
+    """
+    count = 0 if layer >= 1.0 else int(np.ceil(np.log(layer) / np.log(_GRADING)))
+    return _GRADING ** np.arange(count, 0, -1) / panels
+
+
+def panel_sums(density: Density, u: FloatArray, v: FloatArray) -> FloatArray:
+    """Return the integrals (k,) with 16 x 16 Gauss-Legendre nodes on each panel, whose ends are u and v."""
+    (s, a), (t, w) = _nodes(u), _nodes(v)
+    parts = [slice(start, start + _ROWS) for start in range(0, len(s), _ROWS)]
+    return np.sum([(density(s[part, None], t[None, :]) @ w) @ a[part] for part in parts], axis=0)
+
+
+def _nodes(ends: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return the nodes and weights on all panels."""
     nodes, weights = np.polynomial.legendre.leggauss(NODES)
-    t = ((np.arange(panels)[:, None] + 0.5 * (nodes + 1.0)) / panels).reshape(-1)
-    w = np.tile(weights, panels) * (0.5 / panels)
-    parts = [slice(start, start + _ROWS) for start in range(0, len(t), _ROWS)]
-    return np.sum([(density(t[part, None], t[None, :]) @ w) @ w[part] for part in parts], axis=0)
+    half = 0.5 * np.diff(ends)
+    return (ends[:-1, None] + half[:, None] * (nodes + 1.0)).reshape(-1), (half[:, None] * weights).reshape(-1)
 
 
 def converge(measure: Measure, tolerance: float, panels: int) -> tuple[list[Integral], int]:

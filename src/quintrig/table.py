@@ -7,8 +7,8 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from quintrig.arrays import FloatArray
 from quintrig.classify import Thresholds
+from quintrig.noise import rounding_floor
 from quintrig.quantity import BY_KEY, CLASSES, Quantity, quantity
 from quintrig.sample import Sample, analyse
 from quintrig.surface import Surface
@@ -20,8 +20,6 @@ INVARIANTS: tuple[str, ...] = ("beta0", "beta1", "beta2", "gamma1", "gamma2", "g
 
 STANDARD: tuple[str, ...] = ("gaussian", "mean", "k1", "k2", "shape_index", "curvedness", *CLASSES, *INVARIANTS)
 """Quantities of a table for which none are named."""
-
-_NOISE = 1e-12  # of the scale of a quantity: less than this is shown as 0 to people
 
 
 @dataclass(frozen=True, eq=False)
@@ -122,7 +120,7 @@ def _columns(q: Quantity, sample: Sample, unit: str) -> list[Column]:
         names = tuple(q.classes[code] for code in codes)
         return [Column(q.key, q.symbol, q.latex, q.name, "", names, names)]
     parts = sample[q.key].reshape(-1, q.components)
-    floor = _floor(sample, q.power)
+    floor = rounding_floor(sample["curvedness"].ravel(), sample.size, q.power)
     columns: list[Column] = []
     for axis, values in zip("xyz", parts.T, strict=False):
         words = (q.key, q.symbol, q.latex, q.name)
@@ -133,14 +131,6 @@ def _columns(q: Quantity, sample: Sample, unit: str) -> list[Column]:
         read = np.where(np.abs(values) <= floor, 0.0, values)
         columns.append(Column(*words, q.unit(unit), _floats(values), _floats(read)))
     return columns
-
-
-def _floor(sample: Sample, power: int) -> FloatArray:
-    """Return the size at each point below which a quantity of this power of length is only rounding."""
-    if power >= 0:
-        return np.array(_NOISE * sample.size**power)
-    bend = np.fmax(sample["curvedness"].ravel(), 1.0 / sample.size if sample.size > 0.0 else 0.0)
-    return _NOISE * bend**-power
 
 
 def _notes(sample: Sample, keys: Sequence[str], unit: str) -> tuple[str, ...]:
