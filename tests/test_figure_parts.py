@@ -373,5 +373,14 @@ def test_a_surface_that_is_one_point_is_drawn_and_said_to_be_one(key):
     assert scene.single_point(quintrig.sphere()) is None
 
 
+@pytest.mark.parametrize("width", np.linspace(1.5, 9.0, 31))
+def test_no_formula_is_broken_at_the_end_of_a_line(width):
+    text = "Normal along $S_u{\\times}S_v$; costs 5 \\$ or so; solid line: $K = 0$; dashed line: $H = 0$. More words."
+    page = sheet.sheet(1, (width, 1.0), note=text)
+    lines = page.figure.texts[0].get_text().splitlines()
+    assert " ".join(lines) == text
+    assert all(line.replace("\\$", "").count("$") % 2 == 0 for line in lines)
+
+
 def notes(drawn):
     return [text.get_text().replace("\n", " ") for text in drawn.texts]

@@ -1,5 +1,6 @@
 """The page of a figure: panels in rows, room for titles, keys and the note, all in inches so that nothing overlaps."""
 
+import re
 import textwrap
 import threading
 from collections.abc import Sequence
@@ -11,6 +12,9 @@ from matplotlib.figure import Figure
 from matplotlib.mathtext import MathTextParser
 
 from quintrig.figure.palette import INK
+
+_FORMULA = re.compile(r"(?<!\\)\$[^$\n]+(?<!\\)\$")
+_HOLD = "\x1f"  # stands for a space at which no line may end
 
 Axes = Any
 """matplotlib's axes. Its own type leaves keyword arguments untyped, which strict checking refuses."""
@@ -124,8 +128,11 @@ def points_wide(axes: Axes) -> tuple[float, float]:
 
 
 def _wrapped(text: str, width: float, size: float) -> list[str]:
+    """Return the lines of a text; a formula is never broken, which would leave its dollar signs standing."""
     letters = int((width - 2 * _EDGE) * 72.0 / (0.53 * size))
-    return [line for part in text.splitlines() for line in textwrap.wrap(part, max(letters, 20))]
+    kept = _FORMULA.sub(lambda formula: formula[0].replace(" ", _HOLD), text)
+    lines = [line for part in kept.splitlines() for line in textwrap.wrap(part, max(letters, 20))]
+    return [line.replace(_HOLD, " ") for line in lines]
 
 
 def _text(
