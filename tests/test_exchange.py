@@ -4,6 +4,7 @@ import json
 import os
 import re
 import shlex
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -309,6 +310,97 @@ def test_trimmed_points_are_marked_in_tables_and_told():
     table = tabulate(surface, [0.5, 0.2, 0.1], [0.5, 0.5, 0.5], ["mean"])
     assert table.columns[-1].values == ("inside", "inside", "outside")
     assert any("trimmed" in note for note in table.notes)
+
+
+# ------------------------------------------------------------------------------------------- what is there already
+
+
+@pytest.fixture
+def here(tmp_path, monkeypatch):
+    """A folder with models that have comments: one with numbers, one that names a CSV, and another name for one."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "lid.toml").write_bytes(LID.read_bytes() + b"\n# mine\n")
+    (tmp_path / "lid.json").write_text(json.dumps(quintrig.load(LID).to_dict()))
+    for name in ("from_csv.toml", "from_csv.csv"):
+        (tmp_path / name).write_bytes((EXAMPLES / name).read_bytes() + b"\n# mine\n")
+    (tmp_path / "other.toml").symlink_to("lid.toml")
+    return tmp_path
+
+
+LOSSES = [
+    (("export", "lid.toml", "lid.toml"), "is read here"),
+    (("export", "lid.toml", "lid.toml", "--force"), "is read here"),
+    (("export", "lid.toml", "./x/../lid.toml"), "is read here"),
+    (("export", "other.toml", "lid.toml"), "is read here"),
+    (("export", "lid.json", "lid.json", "--force"), "is read here"),
+    (("export", "lid.json", "lid.toml"), "exists already and is a model; choose another name, or --force"),
+    (("export", "from_csv.toml", "from_csv.csv"), "is read here"),
+    (("import", "from_csv.csv", "-o", "lid.toml"), "exists already and is a model"),
+    (("import", "from_csv.csv", "-o", "from_csv.csv"), "is read here"),
+    (("import", "lid.csv", "--into", "lid.toml", "--key", "section", "-o", "lid.toml"), "is read here"),
+    (("import", "lid.csv", "--into", "lid.toml", "--key", "section", "-o", "lid.toml", "--force"), "is read here"),
+    (("table", "lid.json", "-o", "lid.json"), "is read here"),
+    (("table", "lid.toml", "-o", "lid.json"), "exists already and is a model; choose another name, or remove it"),
+    (("table", "from_csv.toml", "-o", "from_csv.csv"), "is read here"),
+    (("new", "swept", "-o", "lid.toml"), "exists already and is a model; choose another name, or --force"),
+]
+
+
+@pytest.mark.parametrize(("arguments", "message"), LOSSES, ids=[" ".join(arguments) for arguments, _ in LOSSES])
+def test_what_a_user_wrote_is_never_lost(arguments, message, here):
+    (here / "x").mkdir()
+    (here / "lid.csv").write_text("\n".join(f"{k},0,{k}" for k in range(6)))
+    before = {path.name: path.read_bytes() for path in here.iterdir() if path.is_file()}
+    done = run(*arguments)
+    assert done.code == 2
+    assert message in done.err
+    assert done.err.count("\n") == 1
+    assert {path.name: path.read_bytes() for path in here.iterdir() if path.is_file()} == before
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("export", "lid.toml", "out.step"),
+        ("export", "lid.toml", "out.ply"),
+        ("export", "from_csv.toml", "out.csv"),
+        ("flatten", EXAMPLES / "developable.toml", "out.svg"),
+        ("table", "lid.toml", "-o", "out.json"),
+        ("plot", "lid.toml", "-o", "out.png", "--dpi", "30"),
+    ],
+    ids=lambda arguments: str(arguments[0]),
+)
+def test_results_are_made_anew_and_it_is_said(arguments, here):
+    assert "\nwrote out." in "\n" + run(*arguments).err
+    assert "\nreplaced out." in "\n" + run(*arguments).err
+
+
+def test_force_replaces_another_model(here):
+    done = run("export", "lid.json", "lid.toml", "--force")
+    assert (done.code, done.err) == (0, "replaced lid.toml\n")
+    assert quintrig.load("lid.toml").to_dict() == quintrig.load("lid.json").to_dict()
+    assert run("import", "from_csv.csv", "-o", "lid.json", "--force").err == "replaced lid.json\n"
+
+
+def test_several_nets_are_several_files_and_each_is_named(here):
+    done = run("export", "lid.toml", "net.csv")
+    assert done.err == "2 nets of points, a file for each\nwrote net-section.csv\nwrote net-trajectory.csv\n"
+    assert sorted(path.name for path in here.glob("net*")) == ["net-section.csv", "net-trajectory.csv"]
+    assert run("export", "lid.toml", "net.csv").err.count("replaced net-") == 2
+
+
+def test_patches_of_almost_one_name_have_a_file_each(tmp_path):
+    patch = quintrig.load(EXAMPLES / "tensor.toml").patches[0]
+    model = quintrig.Model("m", "", tuple(replace(patch, name=name) for name in ("a b", "a/b", "a_b")))
+    paths = export_net(model, tmp_path / "net.csv")
+    assert len(set(paths)) == 3
+    assert all(path.exists() for path in paths)
+
+
+def test_several_patches_name_the_option(tmp_path):
+    done = run("flatten", EXAMPLES / "rear_of_car.toml", tmp_path / "a.dxf")
+    assert done.code == 2
+    assert "choose one by its name (--patch NAME)" in done.err
 
 
 # ------------------------------------------------------------------------------------------- the guide

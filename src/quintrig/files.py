@@ -1,11 +1,14 @@
-"""What writing needs: files whole or not at all, and packages that may be missing."""
+"""What writing needs: files whole or not at all, no model lost, and packages that may be missing."""
 
+import json
 import os
 import tempfile
-from collections.abc import Generator
+import tomllib
+from collections.abc import Generator, Iterator
 from contextlib import contextmanager
 from importlib.util import find_spec
 from pathlib import Path
+from typing import Any, cast
 
 from quintrig.errors import QuintrigError
 
@@ -67,6 +70,54 @@ def refuse_unwritable(path: str | Path) -> None:
             pass
     except OSError as error:
         raise _refusal(target, error) from None
+
+
+def refuse_loss(target: str | Path, *sources: Path | None, force: bool | None = None) -> None:
+    """Raise QuintrigError where writing ``target`` would lose what a user wrote: a source of this run, or a model.
+
+    ``sources`` are the files that are read, with the CSV files that models among them name; those are never written
+    over. Another model file is, where ``force`` is true; None stands for a command without that option.
+    """
+    path = Path(target)
+    if not path.is_file():
+        return
+    for source in sources:
+        if source is not None and any(one.exists() and path.samefile(one) for one in (source, *_named_nets(source))):
+            raise QuintrigError(
+                f"{path}: this file is read here, and writing to it would lose the original; choose another name"
+            )
+    if not force and _is_model(path):
+        remedy = "remove it first" if force is None else "--force to replace it"
+        raise QuintrigError(f"{path}: exists already and is a model; choose another name, or {remedy}")
+
+
+def _is_model(path: Path) -> bool:
+    """Return whether a file is a model: any TOML, for people write those, and JSON with the keys of one."""
+    return path.suffix.lower() == ".toml" or bool({"kind", "patch"} & set(_keys(path) or ()))
+
+
+def _named_nets(path: Path) -> Iterator[Path]:
+    """Yield the CSV files that a model names in place of numbers."""
+    keys = _keys(path) or {}
+    several = keys.get("patch", ())
+    tables = [keys, *(cast(list[Any], several) if isinstance(several, list) else ())]
+    for table in tables:
+        for value in cast(dict[str, Any], table).values() if isinstance(table, dict) else ():
+            if isinstance(value, str) and value.lower().endswith(".csv"):
+                yield path.parent / value
+
+
+def _keys(path: Path) -> dict[str, Any] | None:
+    """Return the keys of a TOML or JSON file, None where it has none or cannot be read."""
+    suffix = path.suffix.lower()
+    if suffix not in (".toml", ".json"):
+        return None
+    try:
+        text = path.read_text(encoding="utf-8-sig")
+        found: object = tomllib.loads(text) if suffix == ".toml" else json.loads(text)
+    except (OSError, ValueError, RecursionError):
+        return None
+    return cast(dict[str, Any], found) if isinstance(found, dict) else None
 
 
 def _refusal(target: Path, error: OSError) -> QuintrigError:

@@ -89,7 +89,8 @@ class Model:
             return self.patches[0]
         if name is None:
             raise ModelError(
-                f"model {self.name!r} has {len(known)} patches ({', '.join(known)}): choose one by its name"
+                f"model {self.name!r} has {len(known)} patches ({', '.join(known)}): choose one by its name "
+                "(--patch NAME)"
             )
         if name not in known:
             raise ModelError(

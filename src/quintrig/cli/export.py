@@ -6,14 +6,14 @@ from typing import Annotated, Literal
 import typer
 
 from quintrig.cli import session
-from quintrig.cli.options import ModelFile, OnlyPatch
+from quintrig.cli.options import Force, ModelFile, OnlyPatch
 
 _EPILOG = session.examples(
     ("quintrig export lid.toml lid.step", "the exact surface for CAD, read back and compared"),
     ("quintrig export lid.toml lid.igs --fit 3", "a cubic spline near it, for systems that refuse high degrees"),
     ("quintrig export lid.toml lid.glb --tolerance 0.05", "a mesh within 0.05, coloured by K"),
     ("quintrig export lid.toml lid.vtu --grid 200x200", "a mesh of 200 x 200 points with every curvature"),
-    ("quintrig export lid.toml lid.csv", "the control net"),
+    ("quintrig export lid.toml lid.csv", "the control nets: lid.csv, or lid-section.csv and others"),
 )
 
 
@@ -55,17 +55,23 @@ def export(
     ] = None,
     grid: Annotated[str | None, typer.Option(metavar="NUxNV", help="Mesh: points along u and v instead.")] = None,
     colour: Annotated[str, typer.Option(metavar="KEY", help="Mesh: quantity to colour by, or none.")] = "gaussian",
+    force: Force = False,
 ) -> None:
     """Write a model for other programs: CAD, mesh, or control net, by the ending of OUT.
 
     CAD files hold the exact rational form, with names and unit. They are read back, and the deviation is printed.
     Meshes keep to their tolerance, without gaps between patches, and carry curvature as colours and numbers.
+
+    A .csv holds one net of points. Of a model with several nets, such as section and trajectory, OUT.csv becomes
+    OUT-section.csv and OUT-trajectory.csv, and there is no OUT.csv. Every file written is named. Other files are
+    replaced, and this is said; model files only with --force, and never the one that is read.
     """
     from quintrig.exchange.cad import CadOptions
-    from quintrig.exchange.export import ExportOptions, MeshOptions
+    from quintrig.exchange.export import ExportOptions, MeshOptions, targets
     from quintrig.exchange.export import export as write
     from quintrig.exchange.fit import FitOptions
     from quintrig.exchange.imports import open_model
+    from quintrig.files import refuse_loss
 
     if continuity is not None and fit is None:
         raise ValueError("--continuity: belongs to a fit; give its degree with --fit")
@@ -73,4 +79,6 @@ def export(
     size = None if grid is None else session.counts(grid, "--grid")
     mesh = MeshOptions(None if fit is not None else tolerance, size, None if colour == "none" else colour)
     loaded = session.only(open_model(model, face), patch)
+    for target in targets(loaded, output):
+        refuse_loss(target, model, force=force)
     session.told(write(loaded, output, ExportOptions(cad, mesh)))

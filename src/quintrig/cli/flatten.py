@@ -57,15 +57,18 @@ def flatten(
     from quintrig.exchange.flatten import FlattenOptions, export_pattern
     from quintrig.exchange.imports import open_model
     from quintrig.exchange.pattern import PatternOptions
+    from quintrig.files import refuse_loss
     from quintrig.unroll import Sheet
 
     stock = None if sheet is None else _size(sheet)
     drawing = PatternOptions(step, stock, margin)
     options = FlattenOptions(Sheet(thickness, k_factor, side), drawing, chord, distortion)
     loaded = open_model(model, None if face is None else [face])
+    refuse_loss(output, model)
+    replaced = output.is_file()
     for line in export_pattern(loaded.patch(patch), loaded.unit, output, options):
         session.remark(line)
-    session.wrote(output)
+    session.wrote(output, replaced)
 
 
 def _size(text: str) -> tuple[float, float]:

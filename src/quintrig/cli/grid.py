@@ -45,9 +45,10 @@ def grid(
     keys = [word.strip() for word in quantities.split(",")]
     from quintrig.stream import write_parquet, write_zarr
 
+    replaced = output.exists()
     write = write_zarr if output.suffix == ".zarr" else write_parquet
     with session.progress() as show:
         written = write(
             surface, output, nu, nv, keys, unit=loaded.unit, progress=lambda done, total: show("rows", done, total)
         )
-    session.wrote(written)
+    session.wrote(written, replaced)

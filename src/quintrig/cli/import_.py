@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from quintrig.cli import session
+from quintrig.cli.options import Force
 
 if TYPE_CHECKING:
     from quintrig.arrays import FloatArray
@@ -45,10 +46,12 @@ def import_(
     kind: Annotated[
         Literal["tensor"], typer.Option(help="Kind of the model that a CSV or JSON net becomes.")
     ] = "tensor",
+    force: Force = False,
 ) -> None:
     """Turn faces of CAD files into models, exactly, and curves and nets into control points.
 
-    A face becomes a NURBS patch with its trim; every other command reads CAD files directly too.
+    A face becomes a NURBS patch with its trim; every other command reads CAD files directly too. A model file that
+    exists is replaced only with --force, and never the one that is read.
     """
     from quintrig.errors import QuintrigError
     from quintrig.exchange.imports import CAD_SUFFIXES, contents
@@ -67,9 +70,8 @@ def import_(
     if output is None:
         raise QuintrigError("import: expected where to write, -o OUT, or --list")
     if curve is not None or into is not None:
-        _net(file, output, face, curve, shape, raw, into, key, patch)
+        _net(file, output, face, curve, shape, raw, into, key, patch, force)
         return
-    from quintrig.exchange.export import export
     from quintrig.exchange.imports import open_model
     from quintrig.exchange.nets import SUFFIXES, model_from_net
 
@@ -79,6 +81,15 @@ def import_(
     if not is_net and file.suffix.lower() not in (*CAD_SUFFIXES, ".toml"):
         raise QuintrigError(f"{file}: expected a file ending in {', '.join(CAD_SUFFIXES)}, .csv or .json")
     model = model_from_net(file, {"kind": kind}) if is_net else open_model(file, face)
+    _write(model, output, force, file)
+
+
+def _write(model: "Model", output: Path, force: bool, *sources: Path) -> None:
+    from quintrig.exchange.export import export, targets
+    from quintrig.files import refuse_loss
+
+    for target in targets(model, output):
+        refuse_loss(target, *sources, force=force)
     session.told(export(model, output))
 
 
@@ -92,6 +103,7 @@ def _net(
     into: Path | None,
     key: str | None,
     patch: str | None,
+    force: bool,
 ) -> None:
     """Write a curve's or face's control points as CSV, or into a model."""
     from quintrig.errors import QuintrigError
@@ -102,15 +114,13 @@ def _net(
             raise QuintrigError(f"{output}: expected a name ending in .csv for the points of a curve, or --into MODEL")
         from quintrig.exchange.nets import to_csv
 
-        session.deliver(to_csv(points), output)
+        session.deliver(to_csv(points), output, file)
         return
     if key is None:
         raise QuintrigError("--into: expected the name of the net too, such as --key section")
-    from quintrig.exchange.export import export
     from quintrig.exchange.nets import put_into
 
-    model: Model = put_into(session.load(into), patch, key, points)
-    session.told(export(model, output))
+    _write(put_into(session.load(into), patch, key, points), output, force, file, into)
 
 
 def _points(file: Path, face: list[int] | None, curve: int | None, shape: str, raw: bool) -> "FloatArray":

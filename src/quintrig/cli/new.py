@@ -6,7 +6,6 @@ from typing import Annotated
 import typer
 
 from quintrig.cli import session
-from quintrig.errors import QuintrigError
 
 _EPILOG = session.examples(
     ("quintrig new swept", "writes swept.toml here"),
@@ -46,6 +45,4 @@ def new(
     target = output or Path(f"{kind}.toml")
     if target.suffix.lower() != ".toml" and str(target) != "-":
         raise ValueError(f"{target}: expected a name ending in .toml")
-    if target.is_file() and not force:
-        raise QuintrigError(f"{target}: exists already; choose another name with -o, or --force to replace it")
-    session.deliver(text, target)
+    session.deliver(text, target, force=force)

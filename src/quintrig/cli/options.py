@@ -11,6 +11,7 @@ ModelFile = Annotated[Path, typer.Argument(metavar="MODEL", help="Model file, or
 Face = Annotated[int | None, typer.Option(metavar="N", help="Which face of a CAD file.")]
 WhichPatch = Annotated[str | None, typer.Option(metavar="NAME", help="Which surface of a model with several.")]
 OnlyPatch = Annotated[str | None, typer.Option(metavar="NAME", help="Only this surface of a model with several.")]
+Force = Annotated[bool, typer.Option("--force", help="Replace a model file that exists already.")]
 Listing = Annotated[
     bool,
     typer.Option("--list", help="Print the quantities there are and stop.", callback=list_quantities, is_eager=True),

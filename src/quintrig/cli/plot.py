@@ -85,7 +85,8 @@ def plot(
         figure = _flat(loaded, chosen, keys, marks, width)
     else:
         figure = _space(loaded, chosen, keys, view, _scene(view, net, lines, marks, keys), width)
-    session.wrote(save(figure, output, dpi))
+    replaced = output.is_file()
+    session.wrote(save(figure, output, dpi), replaced)
 
 
 def read_keys(text: str) -> list[str | None]:

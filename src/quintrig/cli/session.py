@@ -100,22 +100,27 @@ def told(result: "Written") -> None:
     for line in result.notes:
         remark(line)
     for path in result.paths:
-        wrote(path)
+        wrote(path, path in result.replaced)
 
 
-def wrote(path: Path) -> None:
-    """Say where the result is, on stderr."""
-    sys.stderr.write(f"wrote {printable(str(path))}\n")
+def wrote(path: Path, replaced: bool = False) -> None:
+    """Say where the result is, and whether it took the place of another one, on stderr."""
+    sys.stderr.write(f"{'replaced' if replaced else 'wrote'} {printable(str(path))}\n")
 
 
-def deliver(text: str, file: Path | None) -> None:
-    """Write data to a file, whole or not at all, and say so; without a file or to ``-``, to stdout."""
+def deliver(text: str, file: Path | None, *sources: Path | None, force: bool | None = None) -> None:
+    """Write data to a file, whole or not at all, and say so; without a file or to ``-``, to stdout.
+
+    QuintrigError where the file is one of ``sources``, or a model and not ``force``.
+    """
     if file is None or str(file) == "-":
         emit(text)
         return
-    from quintrig.files import write_whole
+    from quintrig.files import refuse_loss, write_whole
 
-    wrote(write_whole(file, text))
+    refuse_loss(file, *sources, force=force)
+    replaced = file.is_file()
+    wrote(write_whole(file, text), replaced)
 
 
 def numbers(text: str, count: int | None, name: str) -> tuple[float, ...]:

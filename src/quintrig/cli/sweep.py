@@ -172,7 +172,8 @@ def _answer(found: "Sweep", question: "Question", top: int, plot: Path | None) -
         unit = str(found.task.model.get("unit", ""))
         rows = select(found, question)
         names = found.task.space.names
-        session.wrote(save(parallel_coordinates(rows, names, surface, best=question.best, unit=unit), plot))
+        replaced = plot.is_file()
+        session.wrote(save(parallel_coordinates(rows, names, surface, best=question.best, unit=unit), plot), replaced)
 
 
 def _list(rows: "dict[str, FloatArray]", found: "Sweep") -> None:

@@ -86,7 +86,7 @@ def table(
     if chosen == "text":
         print_table(result, session.output())
     else:
-        session.deliver(WRITERS[chosen](result), output)
+        session.deliver(WRITERS[chosen](result), output, model, points)
 
 
 def _format(form: str | None, output: Path | None) -> str:

@@ -7,7 +7,7 @@ from quintrig.errors import QuintrigError, nearest
 from quintrig.exchange import cad, meshes, nets
 from quintrig.exchange.cad import CadOptions, export_cad
 from quintrig.exchange.meshes import MeshOptions, export_mesh
-from quintrig.exchange.nets import export_net
+from quintrig.exchange.nets import export_net, net_paths
 from quintrig.model import Model
 
 SUFFIXES = (*cad.SUFFIXES, *meshes.SUFFIXES, *nets.SUFFIXES)
@@ -24,10 +24,19 @@ class ExportOptions:
 
 @dataclass(frozen=True)
 class Written:
-    """The files written, mostly one, and what to tell about them, one line each."""
+    """The files written, mostly one, what to tell about them, one line each, and which were there before."""
 
     paths: tuple[Path, ...]
     notes: tuple[str, ...]
+    replaced: tuple[Path, ...] = ()
+
+
+def targets(model: Model, path: str | Path) -> tuple[Path, ...]:
+    """Return the files that ``export`` writes for a path: it alone, but for a CSV of several nets of points.
+
+    Raises QuintrigError for a CSV of a model without control points.
+    """
+    return net_paths(model, Path(path))
 
 
 def export(model: Model, path: str | Path, options: ExportOptions | None = None) -> Written:
@@ -38,12 +47,15 @@ def export(model: Model, path: str | Path, options: ExportOptions | None = None)
     """
     path, options = Path(path), options or ExportOptions()
     suffix = path.suffix.lower()
+    replaced = tuple(one for one in targets(model, path) if one.is_file())
     if suffix in cad.SUFFIXES:
-        return Written((path,), export_cad(model, path, options.cad))
+        return Written((path,), export_cad(model, path, options.cad), replaced)
     if suffix in meshes.SUFFIXES:
-        return Written((path,), export_mesh(model, path, options.mesh))
+        return Written((path,), export_mesh(model, path, options.mesh), replaced)
     if suffix in nets.SUFFIXES:
-        return Written(export_net(model, path), ())
+        paths = export_net(model, path)
+        several = (f"{len(paths)} nets of points, a file for each",) if len(paths) > 1 else ()
+        return Written(paths, several, replaced)
     hint = (
         "; quintrig flatten writes flat patterns" if suffix in (".dxf", ".svg", ".pdf") else nearest(suffix, SUFFIXES)
     )

@@ -36,11 +36,23 @@ def export_net(model: Model, path: Path) -> tuple[Path, ...]:
     nets = {
         (patch.name, key): getattr(patch.definition, key) for patch in model.patches for key in _keys(patch.definition)
     }
+    names = net_paths(model, path)
+    return tuple(write_whole(name, to_csv(net)) for name, net in zip(names, nets.values(), strict=True))
+
+
+def net_paths(model: Model, path: Path) -> tuple[Path, ...]:
+    """Return the files that ``export_net`` writes for a path: it alone, or one for each of several nets of points.
+
+    The latter are called after it with the names of patch and net, such as lid-section.csv and lid-trajectory.csv for
+    lid.csv. Raises QuintrigError for a CSV of a model without control points.
+    """
+    if path.suffix.lower() != ".csv":
+        return (path,)
+    nets = [(patch.name, key) for patch in model.patches for key in _keys(patch.definition)]
     if not nets:
         kinds = ", ".join(sorted({patch.kind for patch in model.patches}))
         raise QuintrigError(f"{path}: a {kinds} has no control points to write; export a mesh or a table instead")
-    names = _file_names(path, list(nets))
-    return tuple(write_whole(name, to_csv(net)) for name, net in zip(names, nets.values(), strict=True))
+    return tuple(_file_names(path, nets))
 
 
 def to_csv(net: Any) -> str:
@@ -133,7 +145,12 @@ def _file_names(path: Path, nets: list[tuple[str, str]]) -> list[Path]:
     names: list[Path] = []
     for (patch, key), more in zip(nets, several, strict=True):
         words = [path.stem, *([_plain(patch)] if len(patches) > 1 else []), *([key] if more else [])]
-        names.append(path.with_name("-".join(words) + path.suffix))
+        stem, count = "-".join(words), 1
+        name = path.with_name(stem + path.suffix)
+        while name in names:  # patches whose names differ in letters that file names do without
+            count += 1
+            name = path.with_name(f"{stem}-{count}{path.suffix}")
+        names.append(name)
     return names
 
 
