@@ -44,7 +44,7 @@ MISTAKES = [
     (["table", BOOT, "--grid", "-3x5"], "--grid: expected two counts such as 20x30, got '-3x5'"),
     (["table", BOOT, "--grid", "axb"], "--grid: expected two counts such as 20x30, got 'axb'"),
     (["table", BOOT, "--grid", "2x3x4"], "--grid: expected two counts"),
-    (["table", BOOT, "--grid", "100000x100000"], "--grid: expected at most 250,000 points"),
+    (["table", BOOT, "--grid", "2000x2000"], "--grid: expected at most 250,000 points", "quintrig grid"),
     (["table", BOOT, "--grid", "9" * 5000], "--grid: expected at most 250,000 points"),
     (["table", BOOT, "--grid", "51x50"], "--format: expected csv, json, md or latex for 2,550 points"),
     (["table", BOOT, "--grid", "3x3", "--at", "0,0"], "expected one of them"),
@@ -101,8 +101,9 @@ def test_a_mistake_is_told_in_one_line(arguments, words, tmp_path, monkeypatch):
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        ("u,v\n0.5,2\n", "v[0] = 2 is outside the domain"),
-        ("0.5,0.5\n0.5,nan\n", "v[1] = nan is outside the domain"),
+        ("u,v\n0.5,2\n", "points.csv: row 2: expected v in the domain [0, 1], got 2"),
+        ("0.5,0.5\n0.5,nan\n", "points.csv: row 2: expected v in the domain [0, 1], got nan"),
+        ("# of the lid\n\n0.5,0.5\n-1,0\n", "points.csv: row 4: expected u in the domain [0, 1], got -1"),
         ("0.5\n", "row 1: expected 2 numbers, u and v, got 1"),
         ("0,0\n1,2,3\n", "row 2: expected 2 numbers, u and v, got 3"),
         ("0,0\na,b\n", "row 2: expected numbers, got 'a, b'"),
@@ -114,6 +115,13 @@ def test_points_of_a_file(text, words, tmp_path):
     file = tmp_path / "points.csv"
     file.write_text(text)
     refused(cli("table", BOOT, "--points", file), words)
+
+
+def test_points_in_a_file_that_is_no_text(tmp_path):
+    file = tmp_path / "bin.csv"
+    file.write_bytes(b"0,0\n\xff\xfe")
+    words = ("bin.csv: expected text in UTF-8, found the byte 0xff in line 2", "is this a table of numbers?")
+    refused(cli("table", BOOT, "--points", file), *words)
 
 
 def test_a_missing_file_of_points(tmp_path):

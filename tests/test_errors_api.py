@@ -210,6 +210,9 @@ def test_unknown_basis(basis):
 OTHER = {
     "unknown quantity": (lambda s: quintrig.analyse(s, 0.5, 0.5, "gausian"), "'gausian'; did you mean 'gaussian'?"),
     "one of several": (lambda s: quintrig.analyse(s, 0.5, 0.5, ["mean", "gausian"]), "did you mean 'gaussian'?"),
+    "no surface": (lambda _: quintrig.analyse("x", 0.1, 0.2), "surface: expected a Surface, such as load(path)", "str"),
+    "no path": (lambda _: quintrig.load(5), "load: expected the path of a model file, got 5"),
+    "tiny radius": (lambda _: quintrig.sphere(1e-300), "radius: expected a number of size at least 1e-50"),
     "no threads": (lambda s: quintrig.analyse(s, 0.5, 0.5, threads=0), "threads: expected", "found 0"),
     "half a thread": (lambda s: quintrig.analyse(s, 0.5, 0.5, threads=1.5), "threads: expected", "1.5"),
     "grid of one": (lambda _: quintrig.grid(1, 5), "nu: expected 2 or more in whole numbers", "found 1"),

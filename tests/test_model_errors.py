@@ -44,6 +44,7 @@ WRONG_KEYS = [
     ({"kind": "sphere", "radius": 0}, "radius: expected a number greater than 0, got 0"),
     ({"kind": "sphere", "radius": -1}, "radius: expected a number greater than 0, got -1"),
     ({"kind": "sphere", "radius": 1e60}, "radius: expected a number of size at most 1e50"),
+    ({"kind": "sphere", "radius": 1e-60}, "radius: expected a number of size at least 1e-50, got 1e-60"),
     ({"kind": "sphere", "radius": True}, "radius: expected a number, got true"),
     # counts
     ({**SWEPT, "section": SECTION[:5]}, "section: expected 6 points, got 5"),
@@ -122,6 +123,7 @@ WRONG_KEYS = [
     ({**SWEPT, "section": "/etc/passwd"}, "section: expected numbers, or the name of a .csv file beside the model"),
     ({**SWEPT, "section": "folder.csv"}, "folder.csv: expected a file, found a folder"),
     ({**SWEPT, "section": "words.csv"}, "words.csv: row 3: expected numbers, got '3, x'"),
+    ({**SWEPT, "section": "remarks.csv"}, "remarks.csv: row 4: expected numbers, got '3, x'"),
     ({**SWEPT, "section": "two.csv"}, "section[0]: expected 3 numbers, got 2"),
     ({**SWEPT, "section": "nan.csv"}, "section[0][2]: expected a finite number, got nan"),
     ({"kind": "tensor", "points": "two.csv"}, "points[0][0]: expected 3 numbers, got 2"),
@@ -135,6 +137,7 @@ def folder(tmp_path_factory):
     path = tmp_path_factory.mktemp("nets")
     (path / "folder.csv").mkdir()
     (path / "words.csv").write_text("a,b\n1,2\n3,x\n")
+    (path / "remarks.csv").write_text("# points\n\n1,2\n3,x\n")
     (path / "two.csv").write_text("1,2\n" * 6)
     (path / "nan.csv").write_text("1,2,nan\n" * 6)
     (path / "seven.csv").write_text("1,2,3\n" * 7)
@@ -192,9 +195,10 @@ FILES = {
     "closed.json": (b'{"a": ' * 100_000 + b"1" + b"}" * 100_000, "nested too deeply"),
     "deep.toml": (b"a = " + b"[" * 100_000 + b"]" * 100_000, "nested too deeply"),
     "dotted.toml": (b"a" + b".a" * 5000 + b" = 1", "got no kind"),
-    "binary.toml": (bytes(range(256)), "expected text in UTF-8, found other bytes"),
+    "binary.toml": (bytes(range(256)), "expected text in UTF-8, found the byte 0x80 in line 2"),
+    "latin.toml": ('# Höhe\nkind = "sphere"'.encode("latin-1"), "found the byte 0xf6 in line 1; is this a model?"),
     "nul.toml": (b'kind = "sphere"\0', "not valid TOML"),
-    "utf16.json": ('{"kind": "sphere"}'.encode("utf-16"), "expected text in UTF-8, found other bytes"),
+    "utf16.json": ('{"kind": "sphere"}'.encode("utf-16"), "expected text in UTF-8, found the byte 0xff in line 1"),
     "control.toml": (b'kind = "sphere"\n"\\u001b[31m" = 1', "unknown key '\\x1b[31m'"),
     "model.txt": (b'kind = "sphere"', "expected a file ending in .toml or .json"),
     "model": (b'kind = "sphere"', "expected a file ending in .toml or .json"),

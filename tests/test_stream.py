@@ -204,6 +204,13 @@ def test_the_command_writes_a_grid(tmp_path, suffix, package):
     assert out.exists()
 
 
+def test_the_log_of_a_large_grid_is_short(tmp_path):
+    pytest.importorskip("zarr")
+    result = command("grid", "examples/car_boot.toml", tmp_path / "lid.zarr", "--size", "4000x200")
+    assert result.code == 0, result.err
+    assert result.err.count("\n") <= 13
+
+
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [

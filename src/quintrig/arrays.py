@@ -14,6 +14,8 @@ BoolArray = NDArray[np.bool_]
 LARGEST = 1e50
 """Largest coordinate: the curvature formula multiplies up to five of them, and must not overflow."""
 
+SMALLEST = 1.0 / LARGEST
+"""Smallest radius or other length that must be positive: the curvature formula must not underflow either."""
 
 CACHE_LINE, HUGE_PAGE = 64, 2**21
 """Bytes of the usual sizes."""

@@ -8,13 +8,13 @@ from typing import Annotated, Any, ClassVar, Literal
 from pydantic import BaseModel, ConfigDict, Field
 
 from quintrig import construct, envelope, reference
-from quintrig.arrays import LARGEST
+from quintrig.arrays import LARGEST, SMALLEST
 from quintrig.basis import BasisName
 from quintrig.nurbs import nurbs
 from quintrig.surface import Surface
 
 Number = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-LARGEST, le=LARGEST)]
-Positive = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, le=LARGEST)]
+Positive = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, ge=SMALLEST, le=LARGEST)]
 Pair = Annotated[list[Number], Field(min_length=2, max_length=2)]
 Point = Annotated[list[Number], Field(min_length=3, max_length=3)]
 Plane = Annotated[list[Number], Field(min_length=4, max_length=4)]

@@ -6,7 +6,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from quintrig.arrays import LARGEST
+from quintrig.arrays import LARGEST, SMALLEST
 from quintrig.definition import Definition
 from quintrig.errors import closest, nearest
 
@@ -70,6 +70,8 @@ def _expected(kind: str, found: Any, context: dict[str, Any]) -> str:
     too_large = isinstance(found, (int, float)) and not isinstance(found, bool)
     if kind in ("less_than_equal", "greater_than_equal") and abs(context[kind[0] + "e"]) == LARGEST:
         return _NUMBER
+    if kind == "greater_than_equal" and context["ge"] == SMALLEST:
+        return "a number greater than 0" if found <= 0 else f"a number of size at least {SMALLEST:g}"
     words = {
         "finite_number": "a finite number",
         "float_type": _NUMBER if too_large else "a number",

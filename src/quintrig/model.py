@@ -150,6 +150,8 @@ def load(path: str | Path) -> Model:
 
     Raises ModelError in one line for anything that is not a readable, valid model.
     """
+    if not isinstance(path, (str, Path)):  # pyright: ignore[reportUnnecessaryIsInstance]
+        raise ModelError(f"load: expected the path of a model file, got {spell(path)}")
     path = Path(path)
     parsers = {".toml": tomllib.loads, ".json": partial(json.loads, object_pairs_hook=_once)}
     if path.suffix.lower() not in parsers:
@@ -187,15 +189,18 @@ def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     return keys
 
 
-def read_text(path: Path) -> str:
-    """Return the text of a small UTF-8 file; ModelError where it is missing, a folder, too large or not text."""
+def read_text(path: Path, what: str = "a model") -> str:
+    """Return the text of a small UTF-8 file; ModelError where it is missing, a folder, too large or not text.
+
+    ``what`` is what the file should be, in words.
+    """
     try:
         if path.is_dir():
             raise ModelError(f"{path}: expected a file, found a folder")
         size = path.stat().st_size
         if size > LARGEST_FILE:
             raise ModelError(
-                f"{path}: expected at most {LARGEST_FILE >> 20} MB, found {size >> 20} MB; is this a model?"
+                f"{path}: expected at most {LARGEST_FILE >> 20} MB, found {size >> 20} MB; is this {what}?"
             )
         with path.open("rb") as file:
             # A pipe or device has no size of its own.
@@ -207,26 +212,40 @@ def read_text(path: Path) -> str:
     except (OSError, ValueError) as error:
         raise ModelError(f"{path}: cannot be read ({_first_line(error)})") from None
     if len(raw) > LARGEST_FILE:
-        raise ModelError(f"{path}: expected at most {LARGEST_FILE >> 20} MB, found more; is this a model?")
+        raise ModelError(f"{path}: expected at most {LARGEST_FILE >> 20} MB, found more; is this {what}?")
     try:
         return raw.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        raise ModelError(f"{path}: expected text in UTF-8, found other bytes; is this a model?") from None
+    except UnicodeDecodeError as error:
+        line = raw.count(b"\n", 0, error.start) + 1
+        raise ModelError(
+            f"{path}: expected text in UTF-8, found the byte 0x{raw[error.start]:02x} in line {line}; is this {what}?"
+        ) from None
 
 
 def read_net(path: Path) -> list[list[float]]:
     """Return the rows of numbers of a CSV file, comma or semicolon separated; a heading and ``#`` lines are skipped."""
-    text = read_text(path)
-    lines = [line for line in text.splitlines() if line.strip() and not line.lstrip().startswith("#")]
-    delimiter = ";" if lines and ";" in lines[0] else ","
-    rows: list[list[float]] = []
-    for index, cells in enumerate(csv.reader(lines, delimiter=delimiter)):
+    return list(read_rows(path).values())
+
+
+def read_rows(path: Path) -> dict[int, list[float]]:
+    """Return the rows that ``read_net`` does, by their numbers in the file, which count every line from 1."""
+    text = read_text(path, "a table of numbers")
+    lines = {
+        number: line
+        for number, line in enumerate(text.splitlines(), 1)
+        if line.strip() and not line.lstrip().startswith("#")
+    }
+    first = next(iter(lines), 0)
+    delimiter = ";" if ";" in lines.get(first, "") else ","
+    rows: dict[int, list[float]] = {}
+    for number, line in lines.items():
+        cells = next(csv.reader([line], delimiter=delimiter))
         try:
-            rows.append([float(cell) for cell in cells])
+            rows[number] = [float(cell) for cell in cells]
         except ValueError:
-            if index == 0:
+            if number == first:
                 continue
-            raise ModelError(f"{path}: row {index + 1}: expected numbers, got {', '.join(cells)[:60]!r}") from None
+            raise ModelError(f"{path}: row {number}: expected numbers, got {', '.join(cells)[:60]!r}") from None
     return rows
 
 

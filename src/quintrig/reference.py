@@ -7,7 +7,7 @@ S_u x S_v on the others; ``flip`` turns it.
 
 import numpy as np
 
-from quintrig.arrays import FloatArray, number
+from quintrig.arrays import SMALLEST, FloatArray, number
 from quintrig.functions import Circular, Functions, Hyperbolic, Joined, Powers
 from quintrig.surface import Net, Surface
 
@@ -112,4 +112,6 @@ def _positive(value: float, name: str) -> float:
     value = number(value, name)
     if not value > 0.0:
         raise ValueError(f"{name}: expected a number greater than 0, found {value:g}")
+    if value < SMALLEST:
+        raise ValueError(f"{name}: expected a number of size at least {SMALLEST:g}, found {value:g}")
     return value

@@ -93,9 +93,12 @@ def analyse(
     u of shape (nu, 1) and v of shape (1, nv) are a grid and take the fast path; the results are the same, to
     rounding. ``quantities`` are keys of the table in ``quantity`` (None: all). ``threads`` defaults to the machine's
     cores for large work. ``out`` gives arrays to write into: C-contiguous, or those of an earlier sample's ``values``.
-    Singular points give NaN and code 0. Raises ValueError for NaN or parameters outside [0, 1], unknown keys and
-    unfit arrays.
+    Singular points give NaN and code 0. Raises ValueError for what is no Surface, NaN or parameters outside
+    [0, 1], unknown keys and unfit arrays.
     """
+    if not isinstance(surface, Surface):  # pyright: ignore[reportUnnecessaryIsInstance]
+        found = type(surface).__name__  # misuse is a ValueError, whatever the value
+        raise ValueError(f"surface: expected a Surface, such as load(path).surface, got {found}")  # noqa: TRY004
     u, v = parameter(u, "u"), parameter(v, "v")
     keys = _keys(quantities)
     thresholds = thresholds or _USUAL

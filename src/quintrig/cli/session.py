@@ -66,8 +66,8 @@ def progress() -> "Generator[Callable[[str, int, int], None]]":
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
     console = messages()
-    if not console.is_terminal:  # a log: a line for each step
-        yield lambda what, done, total: print(f"[{done}/{total}] {what}", file=sys.stderr, flush=True)
+    if not console.is_terminal:
+        yield _log()
         return
     columns = (BarColumn(bar_width=24), MofNCompleteColumn(), TimeElapsedColumn(), TextColumn("{task.description}"))
     with Progress(*columns, console=console, transient=True) as bar:
@@ -77,6 +77,19 @@ def progress() -> "Generator[Callable[[str, int, int], None]]":
             bar.update(task, description=what, completed=done, total=total)
 
         yield show
+
+
+def _log() -> "Callable[[str, int, int], None]":
+    """Return what tells progress to a log: a line for each tenth of the work, so about ten however many the steps."""
+    told: set[int] = set()
+
+    def tell(what: str, done: int, total: int) -> None:
+        tenth = 10 * done // max(total, 1)
+        if tenth not in told:
+            told.add(tenth)
+            print(f"[{done}/{total}] {what}", file=sys.stderr, flush=True)
+
+    return tell
 
 
 def done(page: Path) -> None:
@@ -136,15 +149,18 @@ def numbers(text: str, count: int | None, name: str) -> tuple[float, ...]:
     return values
 
 
-def counts(text: str, name: str, most: int = 10**12) -> tuple[int, int]:
-    """Read two counts such as 20x30, or one for both; ValueError naming the option, with at most ``most`` in all."""
+def counts(text: str, name: str, most: int = 10**12, remedy: str = "choose a coarser grid") -> tuple[int, int]:
+    """Read two counts such as 20x30, or one for both, at most ``most`` in all.
+
+    Raises ValueError naming the option, and the ``remedy`` for too many.
+    """
     words = text.lower().replace("×", "x").split("x")
     if len(words) == 1:
         words *= 2
     if len(words) != 2 or not all(word.strip().isascii() and word.strip().isdigit() for word in words):
         raise ValueError(f"{name}: expected two counts such as 20x30, got {text[:60]!r}")
     if any(len(word.strip()) > 12 for word in words) or int(words[0]) * int(words[1]) > most:
-        raise ValueError(f"{name}: expected at most {most:,} points, got {text[:60]}; choose a coarser grid")
+        raise ValueError(f"{name}: expected at most {most:,} points, got {text[:60]}; {remedy}")
     found = int(words[0]), int(words[1])
     if min(found) < 2:
         raise ValueError(f"{name}: expected 2 or more points each way, got {text[:60]}")

@@ -116,19 +116,22 @@ def _points(at: Sequence[str] | None, grid: str | None, file: Path | None) -> "t
         return _from_file(file)
     from quintrig.sample import grid as mesh
 
-    return mesh(*session.counts(grid or "5x5", "--grid", _MOST))
+    return mesh(*session.counts(grid or "5x5", "--grid", _MOST, "quintrig grid writes any number"))
 
 
 def _from_file(file: Path) -> "tuple[FloatArray, FloatArray]":
     import numpy as np
 
-    from quintrig.model import read_net
+    from quintrig.model import read_rows
 
-    rows = read_net(file)
-    for index, row in enumerate(rows):
+    rows = read_rows(file)
+    for number, row in rows.items():
         if len(row) != 2:
-            raise ValueError(f"{file}: row {index + 1}: expected 2 numbers, u and v, got {len(row)}")
+            raise ValueError(f"{file}: row {number}: expected 2 numbers, u and v, got {len(row)}")
+        for name, value in zip("uv", row, strict=True):
+            if not 0.0 <= value <= 1.0:
+                raise ValueError(f"{file}: row {number}: expected {name} in the domain [0, 1], got {value:g}")
     if not rows or len(rows) > _MOST:
         raise ValueError(f"{file}: expected 1 to {_MOST:,} rows of u and v, got {len(rows):,}")
-    pairs = np.array(rows)
+    pairs = np.array(list(rows.values()))
     return pairs[:, 0], pairs[:, 1]
