@@ -1,7 +1,13 @@
 """Write docs/reference.md and docs/quantities.md from the code: ``python docs/make_reference.py``."""
 
 import inspect
+from collections.abc import Iterator, Mapping
+from dataclasses import fields, is_dataclass
 from pathlib import Path
+from types import NoneType, UnionType
+from typing import Literal, Union, get_args, get_origin, get_type_hints
+
+import numpy as np
 
 import quintrig
 from quintrig.quantity import QUANTITIES, Quantity
@@ -52,6 +58,9 @@ def reference() -> str:
         if names:
             parts.append(f"## {chapter}")
             parts.extend(_entry(name) for name in names)
+    parts.append("## Results")
+    parts.append("What the functions above return, field by field. Each is a frozen dataclass.")
+    parts.extend(_result(result) for result in _results())
     return "\n\n".join(parts) + "\n"
 
 
@@ -89,6 +98,10 @@ def _turned(q: Quantity) -> str:
 def _entry(name: str) -> str:
     thing = getattr(quintrig, name)
     lines = [f"### `{name}`", f"```python\n{_signature(name, thing)}\n```", inspect.getdoc(thing) or ""]
+    returned = _returned(thing) if inspect.isfunction(thing) else None
+    if returned is not None and returned.__name__ not in dir(quintrig):
+        whole = _kind(get_type_hints(thing)["return"])
+        lines.append(f"Returns {whole}, with {', '.join(f'`{field.name}`' for field in fields(returned))}.")
     if inspect.isclass(thing) and not issubclass(thing, Exception):
         for key, value in vars(thing).items():
             function = value.fget if isinstance(value, property) else getattr(value, "__func__", value)
@@ -97,6 +110,61 @@ def _entry(name: str) -> str:
                 head = key if isinstance(value, property) else _signature(key, function)
                 lines.append(f"- **`{head}`**: {' '.join(inspect.getdoc(function).split())}")
     return "\n\n".join(lines)
+
+
+def _returned(function: object) -> type | None:
+    """Return the dataclass that a function returns, alone or in a mapping; None for anything else."""
+    return next(_dataclasses(get_type_hints(function).get("return")), None)
+
+
+def _results() -> list[type]:
+    """Return the dataclasses that public functions return and those in their fields, in the order met."""
+    names = [name for names in CHAPTERS.values() for name in names]
+    functions = [thing for name in names if inspect.isfunction(thing := getattr(quintrig, name))]
+    waiting = [found for function in functions if (found := _returned(function)) is not None]
+    met: list[type] = []
+    while waiting:
+        one = waiting.pop(0)
+        if one not in met and one.__name__ not in dir(quintrig):
+            met.append(one)
+            waiting += [inner for hint in get_type_hints(one).values() for inner in _dataclasses(hint)]
+    return met
+
+
+def _dataclasses(hint: object) -> Iterator[type]:
+    """Return the dataclasses that a type names."""
+    if inspect.isclass(hint) and is_dataclass(hint):
+        yield hint
+    for part in get_args(hint):
+        yield from _dataclasses(part)
+
+
+def _result(result: type) -> str:
+    hints = get_type_hints(result)
+    lines = [f"- `{field.name}`: {_kind(hints[field.name])}" for field in fields(result)]
+    for key, value in vars(result).items():
+        if isinstance(value, property) and not key.startswith("_"):
+            lines.append(f"- `{key}`: {inspect.getdoc(value) or ''}")
+        elif inspect.isfunction(value) and not key.startswith("_"):
+            lines.append(f"- `{_signature(key, value)}`: {' '.join((inspect.getdoc(value) or '').split())}")
+    return "\n\n".join((f"### `{result.__name__}`", inspect.getdoc(result) or "", "\n".join(lines)))
+
+
+def _kind(hint: object) -> str:
+    """Return a type in words."""
+    origin, parts = get_origin(hint), get_args(hint)
+    if origin is None:
+        name = getattr(hint, "__name__", str(hint))
+        return f"`{name}`" if is_dataclass(hint) else "None" if hint is NoneType else name
+    if origin is Literal:
+        return " or ".join(f'"{part}"' for part in parts)
+    inner = list(dict.fromkeys(_kind(part) for part in parts if part is not Ellipsis))
+    if origin in (Union, UnionType):
+        return " or ".join(inner)
+    if origin is np.ndarray:
+        return "array"
+    many = origin.__name__.lower()
+    return f"{inner[-1]}, by {inner[0]}" if issubclass(origin, Mapping) else f"{many} of {' and '.join(inner)}"
 
 
 def _signature(name: str, thing: object) -> str:

@@ -30,7 +30,7 @@ def register(app: typer.Typer) -> None:
 
 def check(
     models: Annotated[
-        list[Path], typer.Argument(metavar="MODEL...", help="Model files, .toml or .json.", show_default=False)
+        list[Path], typer.Argument(metavar="MODEL...", help="Model files, or CAD files.", show_default=False)
     ],
     strict: Annotated[bool, typer.Option("--strict", help="Exit with 1 where there are warnings.")] = False,
 ) -> None:

@@ -21,7 +21,7 @@ def register(app: typer.Typer) -> None:
 
 def view(
     model: Annotated[
-        Path | None, typer.Argument(metavar="MODEL", help="Model file, .toml or .json.", show_default=False)
+        Path | None, typer.Argument(metavar="MODEL", help="Model file, or a CAD file.", show_default=False)
     ] = None,
     port: Annotated[
         int, typer.Option(min=0, max=65535, help="Port; 0 chooses one that stays the same for the model.")
