@@ -221,6 +221,14 @@ def test_a_failure_keeps_the_old_file_and_leaves_nothing(command, step, tmp_path
     assert list(tmp_path.iterdir()) == [place]
 
 
+def test_the_studio_sends_a_cad_file_to_import(tmp_path):
+    place = tmp_path / "lid.step"
+    place.write_text("ISO-10303-21;")
+    refused(
+        cli("view", place, "--no-browser"), "lid.step: the studio opens models", "quintrig import lid.step -o lid.toml"
+    )
+
+
 def test_compare_into_a_file(tmp_path):
     place = tmp_path / "out"
     place.write_text("precious")

@@ -21,7 +21,7 @@ def register(app: typer.Typer) -> None:
 
 def view(
     model: Annotated[
-        Path | None, typer.Argument(metavar="MODEL", help="Model file, or a CAD file.", show_default=False)
+        Path | None, typer.Argument(metavar="MODEL", help="Model file, .toml or .json.", show_default=False)
     ] = None,
     port: Annotated[
         int, typer.Option(min=0, max=65535, help="Port; 0 chooses one that stays the same for the model.")
@@ -37,6 +37,11 @@ def view(
     in the address. Stop it with Ctrl-C; unsaved work is kept in the browser and offered again.
     """
     if model is not None:
+        if model.suffix.lower() not in (".toml", ".json") and model.exists():
+            raise QuintrigError(
+                f"{model}: the studio opens models, .toml or .json; "
+                f"make one of a CAD file first: quintrig import {model.name} -o {model.stem}.toml"
+            )
         session.load(model)  # a bad model is told here, before anything is opened
     try:
         from quintrig.studio import server
