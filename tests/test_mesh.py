@@ -351,6 +351,14 @@ def test_a_file_keeps_its_tolerance_far_from_the_origin_or_is_refused(suffix, fa
     assert len(np.unique(corners.reshape(-1, 3), axis=0)) == int(notes[0].split(" ")[0].replace(",", ""))
 
 
+def test_a_given_grid_is_not_written_where_float32_would_spoil_it(tmp_path):
+    one = Model("far", "mm", (Patch("far", None, moved(shapes.net(), 1e9)),))
+    with pytest.raises(ValueError, match=r"STL holds float32, which 1\.73e\+09 mm from the origin"):
+        export_mesh(one, tmp_path / "far.stl", MeshOptions(grid=(9, 9)))
+    export_mesh(one, tmp_path / "far.glb", MeshOptions(grid=(9, 9)))
+    assert len(np.unique(corners_of(tmp_path / "far.glb").reshape(-1, 3), axis=0)) == 81
+
+
 def test_a_tolerance_below_float32_is_kept_by_finer_triangles_or_refused(tmp_path):
     surface = moved(shapes.net(), 3e3)
     one = Model("far", "mm", (Patch("far", None, surface),))

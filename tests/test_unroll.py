@@ -325,6 +325,26 @@ def test_a_pattern_split_into_parts_no_longer_lies_over_itself(tmp_path):
     assert "overlaps itself" not in " ".join(export_pattern(patch, "mm", tmp_path / "parts.svg", options))
 
 
+@pytest.mark.parametrize("far", [1e4, 1e6, 1e9])
+def test_far_from_the_origin_the_pattern_is_the_same(far, tmp_path):
+    near, there = (
+        quintrig.ruled(shapes.CURVE + k, shapes.CURVE + np.array([0.5, 0, 4.0]) + k, (0.5, -1, 0.5, -1))
+        for k in (0.0, far)
+    )
+    patterns = [unroll(surface, chord=1e-3) for surface in (near, there)]
+    lengths = [np.linalg.norm(pattern.first[-1] - pattern.first[0]) for pattern in patterns]
+    assert abs(lengths[1] - lengths[0]) <= 32 * np.spacing(far)
+    assert abs(patterns[1].isometry.area - patterns[0].isometry.area) <= 32 * np.spacing(far) * near.size
+    notes = " ".join(export_pattern(Patch("far", None, there), "mm", tmp_path / "far.svg"))
+    assert ("from the origin" in notes) == (far > 1e4)
+
+
+def test_far_from_the_origin_what_is_not_developable_is_still_refused():
+    net = shapes.CURVE + np.array([0, 0, 4.0]) + np.linspace(0, 1, 6)[:, None] * [0, 0.1, 0]
+    with pytest.raises(ValueError, match="not developable"):
+        unroll(quintrig.ruled(shapes.CURVE + 1e6, net + 1e6))
+
+
 def test_wrong_suffix_options_and_targets(tmp_path):
     with pytest.raises(QuintrigError, match=r"expected a file ending in \.dxf, \.svg, \.pdf"):
         export_pattern(strip_patch(), "mm", tmp_path / "p.png")

@@ -13,11 +13,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from quintrig.arrays import BoolArray, FloatArray
+from quintrig.rounding import rounding
 from quintrig.surface import Surface
 from quintrig.unroll_rulings import Rulings, rulings
 
 ALLOWED = 1e-9
-"""Largest relative change of a length or of the area that still counts as none."""
+"""Largest relative change of a length or of the area, beside rounding, that still counts as none."""
 
 _NODES = 16
 _MOST_PANELS = 2048
@@ -108,15 +109,17 @@ def unroll(
     sheet = sheet or Sheet()
     lines = rulings(surface, sheet.offset)
     size = surface.size
+    corners = np.array([0.0, 0.5, 1.0])
+    rounded = rounding(surface(corners[:, None], corners))
     panels = _Panels(lines, 4)
     while True:
         finer = _Panels(lines, 2 * panels.per_piece)
         moved = np.abs(finer.end - panels.end).max()
         panels = finer
-        if moved <= 1e-13 * size or panels.per_piece >= _MOST_PANELS:
+        if moved <= 1e-13 * size + rounded or panels.per_piece >= _MOST_PANELS:
             break
     isometry = _isometry(lines, panels)
-    if not isometry.worst <= allowed:
+    if not isometry.worst <= allowed + rounded / size:
         raise ValueError(_refusal(lines, isometry, allowed))
     t = _sites(panels, chord if chord is not None else 1e-5 * size)
     first, second, bend, upward = panels.at(t)

@@ -7,10 +7,11 @@ import numpy as np
 
 from quintrig.arrays import BoolArray, FloatArray
 from quintrig.bspline import BSpline
+from quintrig.rounding import rounding
 from quintrig.surface import Net, Surface
 
 _STRAIGHT = 1e-10
-"""Points of a ruling may be this far off its line, relative to the surface's size."""
+"""Points of a ruling may be this far off its line, relative to the surface's size and beside rounding."""
 
 _TOUCHING = 1e-9
 """The edge of regression may come this near to a boundary, as a share of the ruling, without being inside."""
@@ -121,7 +122,7 @@ def _direction(surface: Surface) -> str:
         away = lines - lines[:, :1]
         share = _divided((away * chord).sum(-1, keepdims=True), (chord**2).sum(-1, keepdims=True))
         off[along] = float(_norm(away - share * chord).max()) / surface.size
-        if off[along] <= _STRAIGHT:
+        if off[along] <= _STRAIGHT + rounding(lines) / surface.size:
             return along
     raise ValueError(
         f"the surface has no straight rulings: its lines bend by {100 * off['u']:.2g} % of its size along v and by "

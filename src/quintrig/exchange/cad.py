@@ -11,7 +11,7 @@ from quintrig.exchange.deviation import deviations
 from quintrig.exchange.fit import FitOptions
 from quintrig.exchange.formats import suffixes
 from quintrig.exchange.isolated import read_here
-from quintrig.exchange.origin import far, refuse_point
+from quintrig.exchange.origin import far, is_far, refuse_point
 from quintrig.exchange.units import ASSUMED
 from quintrig.files import write_whole
 from quintrig.model import Model
@@ -21,9 +21,6 @@ SUFFIXES = suffixes("cad")
 
 _LARGEST_DEVIATION = 1e-12
 """Of an exact file from its model, relative to the patch's size and beside what rounding explains; more is a fault."""
-
-_TOLD = 1e-10
-"""Rounding of the coordinates, relative to the patch's size, that the user should know of."""
 
 
 @dataclass(frozen=True)
@@ -100,6 +97,6 @@ def _compared(parts: tuple[Carrier, ...], copy: Path, path: Path) -> list[str]:
         lines.append(
             f"{found.name}: read back, largest deviation {found.distance:.2g} ({found.relative:.1e} of its size)"
         )
-        if found.rounding > _TOLD * part.surface.size:
+        if is_far(part.surface):
             lines.append(f"{found.name}: {far(part.surface)}; move the model nearer for more digits")
     return lines

@@ -9,6 +9,7 @@ from quintrig.arrays import BoolArray, FloatArray
 from quintrig.errors import QuintrigError
 from quintrig.exchange.drawing import Drawing
 from quintrig.exchange.formats import suffixes
+from quintrig.exchange.origin import far, is_far
 from quintrig.exchange.pattern import PatternOptions, drawing
 from quintrig.files import write_whole
 from quintrig.model import Patch
@@ -71,7 +72,8 @@ def export_pattern(patch: Patch, unit: str, path: Path, options: FlattenOptions 
 
         write_whole(path, pdf(page))
     drawn = [remark for remark in page.remarks if not remark.startswith("boundaries ")]
-    return (*drawn, *_checks(pattern, unit), *_cautions(page))
+    away = (f"{far(patch.surface)}; move the model nearer for more digits",) if is_far(patch.surface) else ()
+    return (*drawn, *_checks(pattern, unit), *away, *_cautions(page))
 
 
 def _checks(pattern: Pattern, unit: str) -> tuple[str, ...]:

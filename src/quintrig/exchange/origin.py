@@ -3,8 +3,17 @@
 import numpy as np
 
 from quintrig.model import Model
+from quintrig.rounding import rounding
 from quintrig.sample import grid
 from quintrig.surface import Surface
+
+_TOLD = 1e-10
+"""Rounding of the coordinates, relative to a surface's size, that the user should know of."""
+
+
+def is_far(surface: Surface) -> bool:
+    """Return whether a surface lies so far from the origin that rounding is more than 1e-10 of its size."""
+    return rounding(surface(*grid(3, 3))) > _TOLD * surface.size
 
 
 def far(surface: Surface) -> str:
