@@ -10,10 +10,12 @@ import pytest
 import quintrig
 import shapes
 from quintrig.errors import QuintrigError
+from quintrig.exact import exact_surface
 from quintrig.exchange.mesh_files import linear
 from quintrig.exchange.meshes import SUFFIXES, MeshOptions, export_mesh
 from quintrig.mesh import mesh
 from quintrig.model import Model, Patch
+from quintrig.nurbs import nurbs
 
 if not os.environ.get("CI"):
     pytest.importorskip("trimesh", reason="needs the extra mesh: pip install 'quintrig[mesh]'")
@@ -382,6 +384,14 @@ def test_neighbours_and_poles_are_one_far_from_the_origin(far):
     there = mesh([quintrig.tensor(patch.net + far, flip=patch.flip) for patch in patches], grid=(9, 9))
     assert there.open_edges == near.open_edges
     assert len(there.points) == len(near.points)
+
+
+@pytest.mark.parametrize("far", [1e6, 1e8])
+def test_a_pole_takes_no_more_triangles_far_from_the_origin(far):
+    form = exact_surface(quintrig.cone(3.0, 4.0))
+    knots = (form.u.knots, form.v.knots)
+    near, there = (mesh([nurbs(form.points + k, form.weights, form.degrees, knots)]) for k in (0.0, far))
+    assert len(there.triangles) <= 1.2 * len(near.triangles)
 
 
 def test_a_single_point_is_told_as_such(tmp_path):

@@ -7,6 +7,7 @@ import numpy as np
 
 from quintrig.arrays import BoolArray, FloatArray
 from quintrig.mesh_edges import Link
+from quintrig.rounding import rounding
 from quintrig.surface import Surface
 
 _ROUNDS = 40
@@ -147,13 +148,17 @@ def _inside(surface: Surface, u: FloatArray, v: FloatArray) -> FloatArray:
     along = (((c - a) ** 2).sum(-1) <= ((d - b) ** 2).sum(-1))[..., None]
     du, dv = np.diff(u)[:, None], np.diff(v)[None, :]
     result: FloatArray = np.zeros(a.shape[:2])
+    rounded = rounding(p)
     corners = {"a": (a, 0, 0), "b": (b, 1, 0), "c": (c, 1, 1), "d": (d, 0, 1)}
     for split, used in ((("abc", "acd"), along), (("abd", "bcd"), ~along)):
         for name in split:
             (x, xs, xt), (y, ys, yt), (z, zs, zt) = (corners[letter] for letter in name)
             normal = np.cross(y - x, z - x)
             length = np.sqrt((normal**2).sum(-1))
-            unit = np.divide(normal, length[..., None], out=np.zeros_like(normal), where=length[..., None] > 0.0)
+            # A triangle at a pole has no plane: far from the origin rounding alone would give it one.
+            longest = np.sqrt(np.maximum(((y - x) ** 2).sum(-1), ((z - x) ** 2).sum(-1)))
+            flat = length <= rounded * longest
+            unit = np.divide(normal, length[..., None], out=np.zeros_like(normal), where=~flat[..., None])
             for s, t in _INSIDE:
                 r = 1.0 - s - t
                 at = surface(
