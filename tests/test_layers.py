@@ -116,6 +116,14 @@ def test_panels_are_graded_to_the_layer_and_cover_the_domain(panels):
         assert 1 - ends[-2] <= last * (1 + 1e-9)
 
 
+def test_doubling_halves_every_panel_or_moves_it():
+    for layers in ((1e-3, np.inf), (np.inf, 1e-5), (1e-6, 1e-2)):
+        for panels in (1, 2, 4, 8):
+            coarse, fine = np.diff(graded(panels, *layers)), np.diff(graded(2 * panels, *layers))
+            assert fine.min() == pytest.approx(0.5 * coarse.min(), rel=1e-9)
+            assert fine.max() <= 0.75 * coarse.max()
+
+
 @pytest.mark.parametrize("place", [(0.1, 0.2, 0.3), (1 / 3, 7.7, 1e12), (0, 0, 0)])
 def test_a_single_point_is_told_as_such(place):
     for surface in (

@@ -11,8 +11,10 @@ import quintrig
 from quintrig.classify import HK_TYPES
 from quintrig.increments import terms
 from quintrig.integrate import integrals
+from quintrig.layers import find_layers
 from quintrig.sample import SINGULAR
-from quintrig.sweep.affine import is_affine, single_part, with_parameters
+from quintrig.sweep.affine import amounts_above, is_affine, single_part, with_parameters
+from quintrig.sweep.nodes import WIDEST, drawn_nodes, layer_classes
 from quintrig.sweep.part import Task, columns, summaries
 from quintrig.sweep.space import Axis, DesignSpace
 from quintrig.sweep.summarise import COLUMNS, clenshaw_curtis, summariser
@@ -53,13 +55,24 @@ def rows(task):
     ]
 
 
-def expected(surface, count):
-    """Work out a summary from ``analyse`` and ``partials`` at Clenshaw-Curtis points."""
-    t, w = clenshaw_curtis(count)
-    sample = quintrig.analyse(surface, t[:, None], t[None, :], (*CURVATURES, "hk_type"))
-    p = surface.partials(t[:, None], t[None, :], 2)
+def nodes_of(task, values, count):
+    """Return the nodes and weights in u and in v that a sweep takes for a design."""
+    patch = with_parameters(task.built(), values)
+    if is_affine(patch, task.space):
+        widths = WIDEST * amounts_above(np.array([patch.shape]) + 4.0, patch.kind == "ruled")[0]
+    else:
+        widths = np.array(find_layers(patch.surface))
+    a, b, c, d = layer_classes(widths).tolist()
+    return drawn_nodes(count, a, b), drawn_nodes(count, c, d)
+
+
+def expected(surface, nodes):
+    """Work out a summary from ``analyse`` and ``partials`` at the nodes of a quadrature."""
+    (u, a), (v, b) = nodes
+    sample = quintrig.analyse(surface, u[:, None], v[None, :], (*CURVATURES, "hk_type"))
+    p = surface.partials(u[:, None], v[None, :], 2)
     regular = ~sample.singular
-    weight = w[:, None] * w[None, :]
+    weight = a[:, None] * b[None, :]
     area = np.where(regular, weight * np.linalg.norm(np.cross(p[1, 0], p[0, 1]), axis=-1), 0.0)
     plate = (p[2, 0] ** 2 + 2 * p[1, 1] ** 2 + p[0, 2] ** 2).sum(axis=-1)
     result = {"area": area.sum(), "thin_plate_energy": (weight * plate).sum(), "singular": (~regular).sum()}
@@ -103,8 +116,7 @@ def test_summary_is_that_of_analyse_at_the_same_points(name, space):
     patch = task.built()
     for values, found in rows(task):
         surface = with_parameters(patch, values).surface
-        assert np.isfinite(surface(*np.meshgrid(*2 * [clenshaw_curtis(12)[0]]))).all()
-        compare(found, expected(surface, 12))
+        compare(found, expected(surface, nodes_of(task, values, 12)))
 
 
 @pytest.mark.parametrize("name", MODELS)
@@ -115,12 +127,12 @@ def test_affine_path_is_the_plain_path(name):
     task = Task(model, None, inner(model["kind"], 5), 16)
     patch = task.built()
     assert is_affine(patch, task.space)
-    nodes, w = clenshaw_curtis(16)
-    run = summariser(terms(patch.surface.blend), 16)
     for values, found in rows(task):
-        part = single_part(with_parameters(patch, values).surface, nodes, nodes, 16)
+        (u, a), (v, b) = nodes_of(task, values, 16)
+        run = summariser(terms(patch.surface.blend), len(v))
+        part = single_part(with_parameters(patch, values).surface, u, v, len(v))
         plain = np.empty((1, len(COLUMNS)))
-        run(part.rows, part.blend, np.empty((1, 0)), w, w, patch.surface.sign, SINGULAR, 1e-6, 1e-6, plain)
+        run(part.rows, part.blend, np.empty((1, 0)), a, b, patch.surface.sign, SINGULAR, 1e-6, 1e-6, plain)
         compare(found, dict(zip(COLUMNS, plain[0], strict=True)))
 
 
@@ -163,9 +175,10 @@ def test_extremes_are_those_of_40_digits(name):
     model = next(model for key, model in MODELS.items() if key.startswith(name))
     shape = dict(zip(("alpha1", "zeta1", "alpha2", "zeta2"), (0.3, -3.7, -1.1, 0.9), strict=True))
     space = DesignSpace(tuple(Axis(name, value, value, 1) for name, value in shape.items()))
-    ((values, found),) = rows(Task(model, None, space, 5))
-    t = clenshaw_curtis(5)[0]
-    exact = [oracle.values({**model, "shape": list(values.values())}, u, v) for u in t for v in t]
+    task = Task(model, None, space, 5)
+    ((values, found),) = rows(task)
+    (us, _), (vs, _) = nodes_of(task, values, 5)
+    exact = [oracle.values({**model, "shape": list(values.values())}, u, v) for u in us for v in vs]
     curved = max(float(p["curvedness"]) for p in exact)
     for key, power in CURVATURES.items():
         least, most = (float(choose(p[key] for p in exact)) for choose in (min, max))
@@ -181,7 +194,7 @@ def test_scale_of_a_swung_surface_is_varied():
         surface = quintrig.Model.from_dict(
             {**model, "scale": values["scale"], "shape": [model["shape"][0], values["zeta1"], *model["shape"][2:]]}
         ).surface
-        compare(found, expected(surface, 12))
+        compare(found, expected(surface, nodes_of(task, values, 12)))
 
 
 def test_scale_of_a_classical_swung_surface_is_varied():
@@ -189,7 +202,8 @@ def test_scale_of_a_classical_swung_surface_is_varied():
     classical = {key: value for key, value in model.items() if key != "shape"} | {"basis": "bernstein"}
     task = Task(classical, None, DesignSpace((Axis("scale", 0.5, 2.0, 2),)), 12)
     for values, found in rows(task):
-        compare(found, expected(quintrig.Model.from_dict({**classical, "scale": values["scale"]}).surface, 12))
+        surface = quintrig.Model.from_dict({**classical, "scale": values["scale"]}).surface
+        compare(found, expected(surface, nodes_of(task, values, 12)))
 
 
 def test_an_edge_that_stands_still_is_counted_as_singular():
@@ -225,3 +239,46 @@ def test_clenshaw_curtis_integrates_polynomials_below_its_count(count):
     assert (w > 0).all()
     for degree in range(count):
         assert w @ t**degree == pytest.approx(1.0 / (degree + 1), rel=1e-13)
+
+
+NEAR = [(0, 0, 0, -3.99), (-3.999, 0, 0, -3.9), (-3.7, -3.99, -3.95, 1), (1, -3.01, 0.5, -3.26), (-3.9999, 1, 1, 1)]
+
+
+@pytest.mark.parametrize("shape", NEAR)
+@pytest.mark.parametrize("name", ["swept", "ruled", "symmetric", "wavy"])
+def test_designs_just_above_minus_four_are_as_good_as_any(name, shape):
+    model = next(model for key, model in EXAMPLES.items() if key.startswith(name))
+    names = ("alpha1", "zeta1", "alpha2", "zeta2")
+    space = DesignSpace(tuple(Axis(name, value, value, 1) for name, value in zip(names, shape, strict=True)))
+    task = Task(model, None, space)
+    ((values, found),) = rows(task)
+    exact = integrals(with_parameters(task.built(), values).surface)
+    for key in ("area", "bending_energy", "thin_plate_energy"):
+        assert exact[key].converged
+        assert found[key] == pytest.approx(exact[key].value, rel=1e-3), key
+    for key, power in (("gaussian", 2), ("mean", 1)):
+        scale = found["curvedness_mean"] ** power
+        total = exact[f"total_{key}"].value / exact.area.value
+        assert abs(found[f"{key}_mean"] - total) <= 1e-3 * scale, key
+
+
+def test_order_does_not_jump_where_nodes_change():
+    model = next(model for key, model in EXAMPLES.items() if key.startswith("swept"))
+    for edge in (-3.0, -3.75, -4 + 1 / 16, -4 + 1 / 64):
+        space = DesignSpace((Axis("zeta2", edge - 1e-7, edge + 1e-7, 2),))
+        (_, below), (_, above) = rows(Task(model, None, space))
+        for key in ("bending_energy", "area", "gaussian_mean", "mean_mean"):
+            assert below[key] == pytest.approx(above[key], rel=2e-4), key
+
+
+@pytest.mark.parametrize("classes", [(0, 0), (1, 0), (0, 3), (2, 2), (9, 1)])
+def test_drawn_nodes_integrate_what_lies_beside_the_edge(classes):
+    t, w = drawn_nodes(32, *classes)
+    assert (t[0], t[-1]) == (0.0, 1.0)
+    assert (np.diff(t) > 0).all()
+    assert (w >= 0).all()
+    assert w @ t**3 == pytest.approx(0.25, rel=1e-5)
+    for number, x in zip(classes, (t, 1 - t), strict=True):
+        for width in WIDEST * 4.0**-number * np.array([1.01, 2.0, 3.99]) if number else ():
+            assert w @ (1 / (x + width)) == pytest.approx(np.log1p(1 / width), rel=1e-5)
+            assert w @ (x + width) ** -3 == pytest.approx(0.5 * (width**-2 - (1 + width) ** -2), rel=1e-5)

@@ -54,10 +54,6 @@ def checked_tolerance(value: float) -> float:
 def graded(panels: int, first: float, last: float) -> FloatArray:
     """Return the ends of ``panels`` equal panels of [0, 1], those at its ends graded to layers of these widths."""
     start, end = _grades(panels, first), _grades(panels, last)
-    if panels == 1 and len(start) + len(end):
-        # One panel has two ends: grade each half.
-        start, end = _grades(2, first), _grades(2, last)
-        panels = 2
     inner = np.linspace(0.0, 1.0, panels + 1)
     return np.concatenate([inner[:1], start, inner[1:-1], 1.0 - end[::-1], inner[-1:]])
 

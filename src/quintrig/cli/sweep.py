@@ -164,6 +164,8 @@ def _answer(found: "Sweep", question: "Question", top: int, plot: Path | None) -
     surface = found.task.built().surface
     session.emit(f"{matching:,} of {found.task.space.count:,} designs; {orientation(surface)}")
     if matching:
+        side = found.task.points
+        session.emit(f"extremes are of {side} × {side} points a design; `quintrig check` and `compare` refine them")
         _list(select(found, question, top), found)
     if plot is not None:
         from quintrig.figure.parallel import parallel_coordinates

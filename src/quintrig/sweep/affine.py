@@ -39,20 +39,19 @@ def is_affine(patch: Patch, space: DesignSpace) -> bool:
     return trigonometric and set(space.names) <= set(SHAPE_NAMES)
 
 
-def affine_parts(patch: Patch, u: FloatArray, v: FloatArray, block: int) -> Parts:
-    """Return the parts for the weights of ``weights``."""
-    shapes = _BASE + _STEP * np.vstack([np.zeros(4), np.eye(4)])
-    rows, blends = zip(*(_derivatives(_at(patch, shape.tolist()), u, v, block) for shape in shapes), strict=True)
-    return Parts(
-        np.stack([rows[0], *((row - rows[0]) / _STEP for row in rows[1:])]),
-        np.stack([blends[0], *((blend - blends[0]) / _STEP for blend in blends[1:])]),
-    )
+def affine_rows(patch: Patch, u: FloatArray) -> FloatArray:
+    """Return the parts of the rows for the weights of ``weights``."""
+    return _parts([_rows(surface, u) for surface in _corners(patch)])
+
+
+def affine_blend(patch: Patch, v: FloatArray, block: int) -> FloatArray:
+    """Return the parts of the blend for the weights of ``weights``."""
+    return _parts([_blend(surface, v, block) for surface in _corners(patch)])
 
 
 def single_part(surface: Surface, u: FloatArray, v: FloatArray, block: int) -> Parts:
     """Return the only part of one design, for parameters that are not affine."""
-    rows, blend = _derivatives(surface, u, v, block)
-    return Parts(rows[None], blend[None])
+    return Parts(_rows(surface, u)[None], _blend(surface, v, block)[None])
 
 
 def with_parameters(patch: Patch, values: dict[str, float]) -> Patch:
@@ -72,13 +71,44 @@ def weights(patch: Patch, space: DesignSpace, designs: FloatArray) -> FloatArray
     return result - _BASE
 
 
-def _at(patch: Patch, shape: list[float]) -> Surface:
-    """Return the surface of any shape parameters."""
-    return patch.definition.model_copy(update={"shape": shape, "unchecked_shape": True}).surface()
+def amounts_above(amounts: FloatArray, ruled: bool) -> FloatArray:
+    """Return how far from standing still a design is across each edge, (n, 4), from 4 + (α1, ζ1, α2, ζ2).
+
+    Across the sides of a ruled surface nothing stands still, but near a corner where one boundary nearly does and the
+    other does not the curvature changes as fast along u = 0 or u = 1.
+    """
+    if not ruled:
+        return amounts
+    first, second = amounts[:, :2], amounts[:, 2:]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        sides = [np.nan_to_num(a / b, nan=0.0, posinf=0.0).clip(0.0) for a, b in ((first, second), (second, first))]
+    ends = np.minimum(first, second)
+    return np.column_stack([ends, *(_least(side) for side in sides)])
 
 
-def _derivatives(surface: Surface, u: FloatArray, v: FloatArray, block: int) -> tuple[FloatArray, FloatArray]:
-    rows = row_derivatives(surface, u).reshape(len(u), -1)
+def _least(side: FloatArray) -> FloatArray:
+    """Return the least positive number of each row, 0 where there is none."""
+    least = np.where(side > 0.0, side, np.inf).min(axis=1)
+    return np.where(np.isfinite(least), least, 0.0)
+
+
+def _corners(patch: Patch) -> list[Surface]:
+    """Return the surfaces that span all designs: at the base, and a step from it in each parameter."""
+    shapes = _BASE + _STEP * np.vstack([np.zeros(4), np.eye(4)])
+    definition = patch.definition
+    return [
+        definition.model_copy(update={"shape": shape, "unchecked_shape": True}).surface() for shape in shapes.tolist()
+    ]
+
+
+def _parts(found: list[FloatArray]) -> FloatArray:
+    return np.stack([found[0], *((part - found[0]) / _STEP for part in found[1:])])
+
+
+def _rows(surface: Surface, u: FloatArray) -> FloatArray:
+    return np.ascontiguousarray(row_derivatives(surface, u).reshape(len(u), -1))
+
+
+def _blend(surface: Surface, v: FloatArray, block: int) -> FloatArray:
     padded = np.concatenate([v, np.full(block - len(v), v[-1])])
-    blend = increments(surface.blend, padded, 2).transpose(0, 2, 1).reshape(-1)
-    return np.ascontiguousarray(rows), np.ascontiguousarray(blend)
+    return np.ascontiguousarray(increments(surface.blend, padded, 2).transpose(0, 2, 1).reshape(-1))

@@ -11,7 +11,7 @@ from quintrig.increments import terms
 from quintrig.model import Patch
 from quintrig.sample import SINGULAR
 from quintrig.surface import Surface
-from quintrig.sweep.affine import Parts, affine_parts, single_part, weights
+from quintrig.sweep.affine import Parts, affine_blend, affine_rows, single_part, weights
 from quintrig.sweep.space import DesignSpace
 from quintrig.sweep.summarise import COLUMNS, summariser
 
@@ -32,10 +32,17 @@ class Measure(Protocol):
 def affine_measure(patch: Patch, space: DesignSpace, designs: FloatArray, thresholds: Thresholds) -> Measure:
     """Return the measure of designs (n, axes) of a surface that is affine in all that varies."""
     amounts = weights(patch, space, designs)
+    # Designs of many classes share the nodes of few, so each is worked out once.
+    rows: dict[bytes, FloatArray] = {}
+    blends: dict[bytes, FloatArray] = {}
 
     def measure(which: NDArray[np.intp], u: Nodes, v: Nodes) -> FloatArray:
-        parts = affine_parts(patch, u[0], v[0], _block(v))
-        return _summarised(patch.surface, parts, amounts[which], u, v, thresholds)
+        along, across = u[0].tobytes(), v[0].tobytes()
+        if along not in rows:
+            rows[along] = affine_rows(patch, u[0])
+        if across not in blends:
+            blends[across] = affine_blend(patch, v[0], _block(v))
+        return _summarised(patch.surface, Parts(rows[along], blends[across]), amounts[which], u, v, thresholds)
 
     return measure
 

@@ -8,10 +8,12 @@ import numpy as np
 from quintrig.arrays import FloatArray
 from quintrig.classify import Thresholds
 from quintrig.errors import ModelError
+from quintrig.layers import find_layers
 from quintrig.model import Model, Patch
 from quintrig.quantity import BY_KEY
-from quintrig.sweep.affine import is_affine, with_parameters
+from quintrig.sweep.affine import amounts_above, is_affine, weights, with_parameters
 from quintrig.sweep.measure import affine_measure, single_measure
+from quintrig.sweep.nodes import WIDEST
 from quintrig.sweep.space import DesignSpace, check
 from quintrig.sweep.summarise import COLUMNS
 from quintrig.sweep.unbounded import true_summaries
@@ -60,7 +62,8 @@ def summaries(task: Task, start: int, stop: int) -> FloatArray:
     designs = task.space.designs(start, stop)
     if is_affine(patch, task.space):
         measure = affine_measure(patch, task.space, designs, task.thresholds)
-        result = true_summaries(measure, len(designs), task.points, patch.surface)
+        still = amounts_above(weights(patch, task.space, designs), patch.kind == "ruled")
+        result = true_summaries(measure, WIDEST * still, task.points, patch.surface)
     else:
         result = np.stack([_one(task, patch, design) for design in designs.tolist()])
     return np.concatenate([designs, result], axis=1)
@@ -74,7 +77,8 @@ def _one(task: Task, patch: Patch, design: list[float]) -> FloatArray:
         result = np.full(len(COLUMNS), np.nan)
         result[COLUMNS.index("singular")] = task.points**2
         return result
-    return true_summaries(single_measure(surface, task.thresholds), 1, task.points, surface)[0]
+    widths = np.array([find_layers(surface)])
+    return true_summaries(single_measure(surface, task.thresholds), widths, task.points, surface)[0]
 
 
 def columns(space: DesignSpace) -> tuple[str, ...]:

@@ -14,7 +14,8 @@ from quintrig.envelope import inner_regression
 from quintrig.sample import SINGULAR, analyse, grid
 from quintrig.surface import Surface
 from quintrig.sweep.measure import Measure
-from quintrig.sweep.summarise import COLUMNS, clenshaw_curtis
+from quintrig.sweep.nodes import drawn_nodes, layer_classes
+from quintrig.sweep.summarise import COLUMNS
 
 _BESIDE = 1e-6  # of a ruling, from the edge of regression
 
@@ -30,20 +31,25 @@ _ENDS = tuple(
 """Column, sense and power of 1/length of each extreme."""
 
 
-def true_summaries(measure: Measure, count: int, points: int, surface: Surface) -> FloatArray:
-    """Return the summaries (count, columns) of designs, from ``points`` a side and what lies beside singular edges.
+def true_summaries(measure: Measure, widths: FloatArray, points: int, surface: Surface) -> FloatArray:
+    """Return the summaries (n, columns) of designs, from ``points`` a side and what lies beside singular edges.
+
+    ``widths`` (n, 4) are those of layers at u = 0, u = 1, v = 0 and v = 1, which the points are drawn to.
 
     Where there is no bound extremes and bending energy are infinite; where a design has no regular point, or none
     beside an edge, they are NaN. ``surface`` is one of the designs.
     """
-    nodes = clenshaw_curtis(points)
-    result = measure(np.arange(count), nodes, nodes)
+    classes, member = np.unique(layer_classes(widths), axis=0, return_inverse=True)
+    result = np.empty((len(widths), len(COLUMNS)))
+    for number, (a, b, c, d) in enumerate(classes.tolist()):
+        which = np.flatnonzero(member.reshape(-1) == number)
+        result[which] = measure(which, drawn_nodes(points, a, b), drawn_nodes(points, c, d))
     reach = float(np.abs(surface(*grid(9, 9))).max())  # which rounding is relative to
     nothing = result[:, _AREA] <= (SINGULAR * reach) ** 2
     singular = np.flatnonzero((result[:, _SINGULAR] > 0.0) & ~nothing)
     if singular.size:
         result[singular] = _seen_beside_edges(result[singular], measure, singular, reach)
-    if count == 1:
+    if len(widths) == 1:
         _mark_regression(result[0], surface)
     result[nothing] = np.where(np.arange(len(COLUMNS)) == _PLATE, result[nothing], np.nan)
     result[nothing, _AREA], result[nothing, _SINGULAR] = 0.0, points**2
