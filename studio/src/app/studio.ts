@@ -97,7 +97,10 @@ export class Studio {
     });
     this.files.receive(this.root);
     this.canvas.addEventListener("webglcontextrestored", () => this.plan(true));
-    new ResizeObserver(() => this.resize()).observe(this.centre);
+    new ResizeObserver(() => {
+      this.resize();
+      this.hurry();
+    }).observe(this.centre);
     const scheme = matchMedia("(prefers-color-scheme: dark)");
     scheme.addEventListener("change", () => this.plan(true));
     store.subscribe((now, before) => this.changed(now, before, start));
@@ -135,6 +138,14 @@ export class Studio {
       if (this.store.state.moving) this.painter.waited(performance.now() - asked);
       this.show(now);
     });
+  }
+
+  /** Draw what is planned before the browser paints: a canvas of a new size is empty. */
+  private hurry(): void {
+    if (!this.planned) return;
+    cancelAnimationFrame(this.planned);
+    this.planned = 0;
+    this.show(performance.now());
   }
 
   private show(now: number): void {
