@@ -135,7 +135,9 @@ def _singular(surface: Surface, singular: Singular, size: float) -> list[str]:
     if points:
         one = len(points) == 1
         where = f"The edge {points[0]} is a single point" if one else f"The edges {_listed(points)} are single points"
-        lines.insert(0, f"{where}, such as a pole or an apex: S_u × S_v = 0 all along {'it' if one else 'them'}, so no curvature is defined there.")
+        them = "it" if one else "them"
+        told = f"{where}, such as a pole or an apex: S_u × S_v = 0 all along {them}, so no curvature is defined there."
+        lines.insert(0, told)
     others = len(singular.corners) + singular.on_edges + singular.inside
     if not lines or others or not set(singular.edges) <= {*points, *still}:
         return [singular.describe(), *lines]
