@@ -5,6 +5,7 @@ import pytest
 
 import quintrig
 from quintrig.extremes import find_extremes
+from quintrig.table import tabulate
 
 WAVED = np.stack(
     [*np.meshgrid(np.arange(6.0), np.arange(6.0), indexing="ij"), np.random.default_rng(0).normal(size=(6, 6))], axis=-1
@@ -164,3 +165,16 @@ def test_bad_arguments_are_refused():
         find_extremes(quintrig.sphere(), ("hk_type",))
     with pytest.raises(ValueError, match="nu: expected 2 or more"):
         find_extremes(quintrig.sphere(), samples=1)
+
+
+def test_rounding_of_a_tilted_plane_is_zero_as_in_a_table():
+    x = np.linspace(0.0, 100.0, 6)
+    section, trajectory = np.stack([x, 0 * x, 0.35 * x], axis=-1), np.stack([0 * x, x, 0.15 * x], axis=-1)
+    surface = quintrig.swept(section, trajectory, (0.3, -1, 0.2, -2.3))
+    keys = ("gaussian", "mean", "k1", "k2", "curvedness")
+    for key, found in find_extremes(surface, keys).items():
+        assert (found.minimum.value, found.maximum.value) == (0, 0), key
+    table = tabulate(surface, *quintrig.grid(9, 9), keys)
+    for column in table.columns:
+        if column.key in keys:
+            assert set(column.rounded) == {0.0}, column.key

@@ -164,3 +164,37 @@ def test_designs_with_and_without_singular_edges_stand_side_by_side():
     endless = np.isinf(rows[:, columns(space).index("bending_energy")])
     np.testing.assert_array_equal(endless, (rows[:, :2] == -4.0).any(axis=1))
     assert quintrig.Model.from_dict(MODELS["tensor"]).patch().shape == (0.0,) * 4
+
+
+def at_random(kind, seed):
+    """Return a rough model of a kind and a shape with at least one parameter at -4, others just above it."""
+    rng = np.random.default_rng(seed)
+    net = hilly(100 + seed)
+    shape = rng.choice([-4.0, -4.0, -3.99, -3.9, -1.3, 0.0, 1.0], size=4)
+    shape[seed % 4] = -4.0
+    model = {
+        "tensor": {"points": net.tolist()},
+        "symmetric": {"points": net[:3].tolist(), "mirror": [1, 0, 0, -3]},
+        "swept": {"section": net[0].tolist(), "trajectory": net[:, 0].tolist()},
+        "ruled": {"first": net[:, 0].tolist(), "second": net[:, 4].tolist()},
+        "swung": {
+            key: (np.array(MODELS["swung"][key]) + 0.05 * rng.normal(size=(6, 2))).tolist()
+            for key in ("profile", "trajectory")
+        },
+    }[kind]
+    return {"kind": kind, **model}, tuple(shape.tolist())
+
+
+@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("kind", ["tensor", "symmetric", "swept", "ruled", "swung"])
+def test_sweeps_and_extremes_agree_on_what_has_no_bound(kind, seed):
+    model, shape = at_random(kind, seed)
+    row, surface = swept_rows(model, shape)
+    found = find_extremes(surface, ("gaussian", "mean", "curvedness"), 33)
+    for key, both in found.items():
+        for name, end in (("min", both.minimum), ("max", both.maximum)):
+            assert (end.status == "unbounded") == np.isinf(row[f"{key}_{name}"]), (key, name)
+            assert end.status != "undefined"
+    if kind == "ruled":  # K = -M²/W² on any ruled surface
+        assert row["gaussian_max"] <= 0.0
+        assert found["gaussian"].maximum.value <= 0.0

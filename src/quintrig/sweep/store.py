@@ -22,7 +22,7 @@ PART = 8192
 """Designs in a part: a second or two of work, 1.5 MB."""
 
 _DESCRIPTION = "sweep.json"
-_FORMAT = 2
+_FORMAT = 3
 _STALE = 60.0  # seconds after which a temporary file is that of a killed run: writing one takes a fraction of a second
 
 

@@ -14,6 +14,7 @@ from quintrig.arrays import FloatArray
 from quintrig.classify import HK_TYPES
 from quintrig.compiled import loop, scalar
 from quintrig.contraction import DU, DUU, DUV, DV, DVV, PARTIALS
+from quintrig.noise import NOISE
 
 _EXTREMES = ("gaussian", "mean", "curvedness")
 
@@ -88,8 +89,11 @@ def _extent(r: FloatArray, d: FloatArray, s: FloatArray, terms: int, block: int)
 
 
 @scalar
-def _points(s: FloatArray, sign: float, tiny: float, block: int) -> None:
-    """Write K, H, C, W and the thin-plate integrand of one row of points to scratch, from their partial derivatives."""
+def _points(s: FloatArray, sign: float, tiny: float, least: float, block: int) -> None:
+    """Write K, H, C, W and the thin-plate integrand of one row of points to scratch, from their partial derivatives.
+
+    K and H that are only rounding, as in ``noise``, are 0; ``least`` is 1 / size.
+    """
     for k in range(block):
         du, dv = _three(s, DU, k, block), _three(s, DV, k, block)
         duu, duv, dvv = _three(s, DUU, k, block), _three(s, DUV, k, block), _three(s, DVV, k, block)
@@ -97,9 +101,11 @@ def _points(s: FloatArray, sign: float, tiny: float, block: int) -> None:
         inverse = curvature.inverse_area(normal, tiny)
         a, b, c = curvature.form_in_frame(du, dv, duu, duv, dvv, normal, inverse, sign)
         mean, radius = curvature.mean(a, c), curvature.radius(a, b, c)
-        s[_K * block + k] = curvature.gaussian(a, b, c)
-        s[_H * block + k] = mean
-        s[_C * block + k] = np.sqrt(mean * mean + radius * radius)
+        gauss, curved = curvature.gaussian(a, b, c), np.sqrt(mean * mean + radius * radius)
+        bend = least if curved < least else curved
+        s[_K * block + k] = 0.0 if abs(gauss) <= NOISE * bend * bend else gauss
+        s[_H * block + k] = 0.0 if abs(mean) <= NOISE * bend else mean
+        s[_C * block + k] = curved
         s[_W * block + k] = 1.0 / inverse
         dot = curvature.dot
         s[_THIN * block + k] = dot(duu, duu) + 2.0 * dot(duv, duv) + dot(dvv, dvv)
@@ -196,12 +202,13 @@ def summariser(terms: int, block: int) -> Summariser:
                         r[i, x] += value * rows[p + 1, i, x]
             extent = _extent(r, d, s, terms, block)
             tiny = singular * extent * extent
-            plane = flat / extent if extent > 0.0 else np.inf
+            least = 1.0 / extent if extent > 0.0 else np.inf
+            plane = flat * least
             lanes[:_SUMS] = np.inf
             lanes[_SUMS:] = 0.0
             for i in range(r.shape[0]):
                 contraction.partials(r[i], d, s, False, terms, block, 1, 0)
-                _points(s, sign, tiny, block)
+                _points(s, sign, tiny, least, block)
                 _gather(s, wu[i], wv, lanes, relative, plane, block)
             _reduce(lanes, out[n])
 
