@@ -27,6 +27,7 @@ SOURCES = (
     "curvature",
     "invariants",
     "kernel",
+    "noise",
     "planes",
     "quantity",
     "sweep/summarise",
