@@ -13,8 +13,8 @@ ROOT = Path(__file__).parent.parent / "src" / "quintrig"
 GROUPS = (
     "errors files arrays compiled taylor functions bspline basis increments blocks curve rational surface",
     "construct reference nurbs envelope exact",
-    "curvature classify invariants contraction quantity writing planes kernel evaluate sample",
-    "quadrature layers noise beside integrate extremes correspondence agreement signs hull cautions summary",
+    "curvature classify invariants contraction quantity writing noise planes kernel evaluate sample",
+    "quadrature layers beside integrate extremes correspondence agreement signs hull cautions summary",
     "definition explain model",
 )
 CORE = [name for group in GROUPS for name in group.split()]

@@ -9,6 +9,7 @@ from quintrig.errors import ModelError
 from quintrig.extremes import Extreme
 from quintrig.integrate import INTEGRALS
 from quintrig.model import Patch
+from quintrig.noise import NOISE
 from quintrig.quadrature import Integral
 from quintrig.quantity import BY_KEY
 from quintrig.summary import Summary, summarise
@@ -24,7 +25,6 @@ AS_GIVEN = "as in the file"
 """What is said of the model's own shape parameters."""
 
 _INTENSITIES = ("gaussian", "mean")
-_NOISE = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,7 +100,7 @@ def _rounded(values: Sequence[float], found: Sequence[Variant], power: int, inte
         return tuple(values)
     floors: list[float] = []
     for one in found:
-        floor = _NOISE * one.summary.extremes["curvedness"].mean.value ** power
+        floor = NOISE * one.summary.extremes["curvedness"].mean.value ** power
         floors.append(floor * one.summary.integrals.area.value if integral else floor)
     return tuple(0.0 if abs(value) <= floor else value for value, floor in zip(values, floors, strict=True))
 

@@ -6,8 +6,10 @@ constants: inlined, they unroll the sums. (They cannot be constants of a functio
 that holds another in its closure is never found in the disk cache.)
 """
 
+from quintrig import curvature
 from quintrig.arrays import FloatArray
 from quintrig.compiled import scalar
+from quintrig.curvature import Three
 
 PARTIALS = 18
 """Rows of partial derivatives."""
@@ -55,6 +57,22 @@ def partials(
                     q += 3 * stride
                     value += r[q] * d[m * block + k]
                 s[x * block + k] = value
+
+
+@scalar
+def three(s: FloatArray, row: int, k: int, block: int) -> Three:
+    """Return three neighbouring rows of scratch at point k."""
+    return s[row * block + k], s[(row + 1) * block + k], s[(row + 2) * block + k]
+
+
+@scalar
+def form(s: FloatArray, k: int, sign: float, tiny: float, block: int) -> tuple[Three, float, Three]:
+    """Return S_u x S_v (length²), 1/W (length⁻²) and a, b, c (length⁻¹) of point k from its partial derivatives."""
+    du, dv = three(s, DU, k, block), three(s, DV, k, block)
+    normal = curvature.cross(du, dv)
+    inverse = curvature.inverse_area(normal, tiny)
+    duu, duv, dvv = three(s, DUU, k, block), three(s, DUV, k, block), three(s, DVV, k, block)
+    return normal, inverse, curvature.form_in_frame(du, dv, duu, duv, dvv, normal, inverse, sign)
 
 
 @scalar

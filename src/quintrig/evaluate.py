@@ -206,6 +206,8 @@ def _spread(worker: Callable[[], Callable[[_Piece], None]], pieces: Iterable[_Pi
         try:
             part = worker()
             for piece in queue:
+                if failures:  # of another thread: what is left is in vain
+                    break
                 part(piece)
         except BaseException as failure:
             failures.append(failure)

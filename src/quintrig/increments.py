@@ -24,13 +24,10 @@ def increments(functions: Functions, t: ArrayLike, order: int) -> FloatArray:
     """Return derivatives 0 to ``order`` of the F_i, shape (order + 1, *t.shape, terms); ValueError outside [0, 1]."""
     if isinstance(functions, Joined):
         return np.concatenate([increments(part, t, order) for part in functions.parts], axis=-1)
+    if order and isinstance(functions, Trigonometric):  # the same as sums of derivatives, without cancellation
+        return np.concatenate([increments(functions, t, 0), functions.slopes(t, order - 1)])
     derivatives = functions.derivatives(t, order)
-    if not functions.partition:
-        return derivatives
-    result = np.cumsum(derivatives[..., :0:-1], axis=-1)[..., ::-1]
-    if order and isinstance(functions, Trigonometric):
-        result[1:] = functions.slopes(t, order - 1)  # the same, without cancellation
-    return result
+    return np.cumsum(derivatives[..., :0:-1], axis=-1)[..., ::-1] if functions.partition else derivatives
 
 
 def split(points: FloatArray, functions: Functions) -> FloatArray:

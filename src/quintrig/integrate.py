@@ -17,6 +17,7 @@ from quintrig.arrays import FloatArray
 from quintrig.beside import CURVATURES, limits
 from quintrig.envelope import inner_regression
 from quintrig.layers import Layers, find_layers
+from quintrig.noise import NOISE
 from quintrig.quadrature import NODES, Integral, Status, checked_tolerance, converge, graded, panel_sums
 from quintrig.quantity import BY_KEY, Quantity, quantity
 from quintrig.sample import SINGULAR, Sample, analyse, grid
@@ -72,11 +73,9 @@ INTEGRALS: tuple[Quantity, ...] = (
 """The integrals, in the order of tables; ``parity`` and ``power`` as for the quantities at a point."""
 
 _LAST = 1e-14  # of the coordinates
-_POINT = (
-    SINGULAR / np.finfo(np.float64).eps
-)  # units in the last place that are no more than a point, as in ``cautions``
+# Units in the last place that are no more than a point, as in ``cautions``
+_POINT = SINGULAR / np.finfo(np.float64).eps
 _ROUGH = 100.0  # units in the last place that a tolerance takes
-_NOISE = 1e-12  # curvedness times size that is rounding of a plane, as in ``sample``
 
 
 @dataclass(frozen=True)
@@ -169,11 +168,11 @@ def integrals(surface: Surface, tolerance: float = 1e-9, panels: int = 64) -> In
         area, total, mean, bending, plate, curvedness, undefined = panel_sums(
             lambda u, v: _densities(surface, u, v), *_panels(count, layers)
         )
-        plane = _NOISE / size * area if size > 0.0 else 0.0  # ∫C dA that is rounding of a plane
+        plane = NOISE / size * area if size > 0.0 else 0.0  # ∫C dA that is rounding of a plane
         root = curvedness**2 / area if area > 0.0 else 0.0
         scales = np.array([area, root, curvedness, bending, plate, 1.0])
-        bent = _NOISE * root + (plane**2 / area if area > 0.0 else 0.0)
-        noise = np.array([_NOISE * size**2, bent, plane, bent, (_NOISE * size) ** 2, 1.0])
+        bent = NOISE * root + (plane**2 / area if area > 0.0 else 0.0)
+        noise = np.array([NOISE * size**2, bent, plane, bent, (NOISE * size) ** 2, 1.0])
         return np.array([area, total, mean, bending, plate, undefined]), scales, noise + rounding
 
     results, count = converge(measure, tolerance, panels)
@@ -214,7 +213,7 @@ def area_means(surface: Surface, keys: Sequence[str], tolerance: float = 1e-5, p
                 sums[-2] / sums[-1],
             )
         natural = np.array([_natural(row, curved) for row in rows])
-        rounding = _NOISE * np.array([_natural(row, curved + per_size) for row in rows])
+        rounding = NOISE * np.array([_natural(row, curved + per_size) for row in rows])
         loose = 1e-2 * sizes + rounding  # the mean of |q| need only exist
         return np.append(means, sizes), np.append(np.fmax(sizes, natural), sizes), np.append(rounding, loose)
 

@@ -58,7 +58,7 @@ def driver(terms: int, functions: int) -> Driver:
         codes: int,
     ) -> None:
         s = np.empty(SCRATCH)
-        contracted = np.empty(3 * coordinates * BLOCK)
+        contracted = np.empty(3 * coordinates * BLOCK if functions >= 0 else 0)
         for i in range(start, stop):
             for block in range(blend.shape[0]):
                 d = blend[block]

@@ -19,7 +19,7 @@ from quintrig import classify, curvature, invariants
 from quintrig.arrays import FloatArray
 from quintrig.blocks import BLOCK
 from quintrig.compiled import address, codes_at, floats_at, loop, scalar, words_at
-from quintrig.contraction import DU, DUU, DUV, DV, DVV, PARTIALS
+from quintrig.contraction import DU, DUU, DUV, DV, DVV, PARTIALS, form, three
 from quintrig.curvature import Three
 from quintrig.quantity import QUANTITIES
 from quintrig.writing import LINE, write, write_past_caches
@@ -117,7 +117,7 @@ def _gaussian_and_mean(scratch: int, n: int, offset: int, end: int, settings: in
     gaussian = floats_at(first + 8 * offset if first else scratch + 8 * _K * BLOCK)
     mean = floats_at(second + 8 * offset if second else scratch + 8 * _H * BLOCK)
     for k in range(n):
-        _, _, (a, b, c) = _form(s, k, at)
+        _, _, (a, b, c) = form(s, k, at.sign, at.tiny, BLOCK)
         gaussian[k] = curvature.gaussian(a, b, c)
         mean[k] = curvature.mean(a, c)
 
@@ -175,20 +175,10 @@ def _write_forms(
 
 
 @scalar
-def _form(s: FloatArray, k: int, at: Settings) -> tuple[Three, float, Three]:
-    """Return S_u x S_v, 1/W and a, b, c of point k."""
-    du, dv = _three(s, DU, k), _three(s, DV, k)
-    normal = curvature.cross(du, dv)
-    inverse = curvature.inverse_area(normal, at.tiny)
-    duu, duv, dvv = _three(s, DUU, k), _three(s, DUV, k), _three(s, DVV, k)
-    return normal, inverse, curvature.form_in_frame(du, dv, duu, duv, dvv, normal, inverse, at.sign)
-
-
-@scalar
 def _forms(s: FloatArray, full: bool, at: Settings) -> None:
     """Fill the scratch rows that follow from the partial derivatives; normal and frame only if ``full``."""
     for k in range(BLOCK):
-        normal, inverse, (a, b, c) = _form(s, k, at)
+        normal, inverse, (a, b, c) = form(s, k, at.sign, at.tiny, BLOCK)
         mean, radius = curvature.mean(a, c), curvature.radius(a, b, c)
         s[_A * BLOCK + k] = a
         s[_B * BLOCK + k] = b
@@ -200,7 +190,7 @@ def _forms(s: FloatArray, full: bool, at: Settings) -> None:
         s[_K2 * BLOCK + k] = mean - radius
         s[_CURVED * BLOCK + k] = np.sqrt(mean * mean + radius * radius)
         if full:
-            du, side = _three(s, DU, k), at.sign * inverse
+            du, side = three(s, DU, k, BLOCK), at.sign * inverse
             along = 1.0 / np.sqrt(curvature.dot(du, du))
             n = normal[0] * side, normal[1] * side, normal[2] * side
             e1 = du[0] * along, du[1] * along, du[2] * along
@@ -220,11 +210,11 @@ def _write_frames(
     _write(scratch, _N, 3, n, offset, end, floats, _NORMAL, at.stream)
     if _any(floats, _FORMS, 6):
         for k in range(BLOCK):
-            du, dv, normal = _three(s, DU, k), _three(s, DV, k), _three(s, _N, k)
+            du, dv, normal = three(s, DU, k, BLOCK), three(s, DV, k, BLOCK), three(s, _N, k, BLOCK)
             second = (
-                curvature.dot(_three(s, DUU, k), normal),
-                curvature.dot(_three(s, DUV, k), normal),
-                curvature.dot(_three(s, DVV, k), normal),
+                curvature.dot(three(s, DUU, k, BLOCK), normal),
+                curvature.dot(three(s, DUV, k, BLOCK), normal),
+                curvature.dot(three(s, DVV, k, BLOCK), normal),
             )
             _store(s, _OUT, k, (curvature.dot(du, du), curvature.dot(du, dv), curvature.dot(dv, dv)))
             _store(s, _OUT + 3, k, second)
@@ -256,7 +246,7 @@ def _directions(s: FloatArray, at: Settings) -> None:
         r, curved = s[_R * BLOCK + k], s[_CURVED * BLOCK + k]
         p, q = curvature.principal_direction(a, b, c, r)
         p = p if r > at.relative * curved and curved > at.noise else np.nan
-        e1, e2 = _three(s, _E1, k), _three(s, _E2, k)
+        e1, e2 = three(s, _E1, k, BLOCK), three(s, _E2, k, BLOCK)
         _store(s, _OUT, k, (p * e1[0] + q * e2[0], p * e1[1] + q * e2[1], p * e1[2] + q * e2[2]))
         _store(s, _OUT + 3, k, (p * e2[0] - q * e1[0], p * e2[1] - q * e1[1], p * e2[2] - q * e1[2]))
 
@@ -297,11 +287,6 @@ def _any(floats: Addresses, slot: int, count: int) -> bool:
     for x in range(count):
         wanted |= floats[slot + x]
     return wanted != 0
-
-
-@scalar
-def _three(s: FloatArray, row: int, k: int) -> Three:
-    return s[row * BLOCK + k], s[(row + 1) * BLOCK + k], s[(row + 2) * BLOCK + k]
 
 
 @scalar

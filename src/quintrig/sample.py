@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from quintrig import evaluate
 from quintrig.arrays import BoolArray, FloatArray, aligned, parameter, whole
 from quintrig.classify import Thresholds
+from quintrig.noise import NOISE
 from quintrig.planes import Settings
 from quintrig.quantity import BY_KEY, quantity
 from quintrig.surface import Surface
@@ -21,7 +22,6 @@ SINGULAR = 4096 * np.finfo(np.float64).eps
 left."""
 
 _USUAL = Thresholds()
-_NOISE = 1e-12  # curvedness times size at or below this is rounding of a plane: its shape index is undefined
 
 
 @dataclass(frozen=True, eq=False)
@@ -119,7 +119,7 @@ def analyse(
         SINGULAR * size * size if size > 0.0 else math.inf,  # a single point has no tangent plane at all
         thresholds.relative,
         thresholds.flat * per_size,
-        _NOISE * per_size,
+        NOISE * per_size,
         evaluate.worth_streaming(planes),
     )
     threads = evaluate.workers(threads, rows * columns)

@@ -12,6 +12,7 @@ from quintrig.compare import Variant, beside_own, standard_shapes, variant
 from quintrig.errors import ModelError
 from quintrig.figure import Mark
 from quintrig.model import Patch
+from quintrig.noise import NOISE
 from quintrig.quantity import BY_KEY
 from quintrig.sample import analyse
 from quintrig.sample import grid as between
@@ -37,7 +38,6 @@ MARKS: tuple[tuple[Mark, str], ...] = tuple(
 )
 """The labelled points and what they are."""
 
-_NOISE = 1e-12
 _STEEP = 0.1  # n_z: the slope is 10, and γ1 and γ3 in the metric of the plane a thousand times those of the surface
 
 
@@ -109,4 +109,4 @@ def _others(patch: Patch) -> tuple[Patch, ...]:
 def rounding(summary: Summary, key: str) -> float:
     """Return the size at or below which a value of a quantity on this surface is only rounding of zero."""
     natural = summary.extremes["curvedness"].mean.value ** max(-BY_KEY[key].power, 0)
-    return _NOISE * natural if math.isfinite(natural) else 0.0
+    return NOISE * natural if math.isfinite(natural) else 0.0

@@ -40,12 +40,12 @@ def is_affine(patch: Patch, space: DesignSpace) -> bool:
 
 
 def affine_rows(patch: Patch, u: FloatArray) -> FloatArray:
-    """Return the parts of the rows for the weights of ``weights``."""
+    """Return the ``rows`` of ``Parts`` at u (nu,), for the weights of ``weights``; in powers of length¹."""
     return _parts([_rows(surface, u) for surface in _corners(patch)])
 
 
 def affine_blend(patch: Patch, v: FloatArray, block: int) -> FloatArray:
-    """Return the parts of the blend for the weights of ``weights``."""
+    """Return the ``blend`` of ``Parts`` at v (n,) for ``block`` >= n points, for the weights of ``weights``."""
     return _parts([_blend(surface, v, block) for surface in _corners(patch)])
 
 

@@ -13,7 +13,7 @@ from quintrig import classify, contraction, curvature
 from quintrig.arrays import FloatArray
 from quintrig.classify import HK_TYPES
 from quintrig.compiled import loop, scalar
-from quintrig.contraction import DU, DUU, DUV, DV, DVV, PARTIALS
+from quintrig.contraction import DUU, DUV, DVV, PARTIALS, three
 from quintrig.noise import NOISE
 
 _EXTREMES = ("gaussian", "mean", "curvedness")
@@ -95,11 +95,7 @@ def _points(s: FloatArray, sign: float, tiny: float, least: float, block: int) -
     K and H that are only rounding, as in ``noise``, are 0; ``least`` is 1 / size.
     """
     for k in range(block):
-        du, dv = _three(s, DU, k, block), _three(s, DV, k, block)
-        duu, duv, dvv = _three(s, DUU, k, block), _three(s, DUV, k, block), _three(s, DVV, k, block)
-        normal = curvature.cross(du, dv)
-        inverse = curvature.inverse_area(normal, tiny)
-        a, b, c = curvature.form_in_frame(du, dv, duu, duv, dvv, normal, inverse, sign)
+        _, inverse, (a, b, c) = contraction.form(s, k, sign, tiny, block)
         mean, radius = curvature.mean(a, c), curvature.radius(a, b, c)
         gauss, curved = curvature.gaussian(a, b, c), np.sqrt(mean * mean + radius * radius)
         bend = least if curved < least else curved
@@ -108,12 +104,8 @@ def _points(s: FloatArray, sign: float, tiny: float, least: float, block: int) -
         s[_C * block + k] = curved
         s[_W * block + k] = 1.0 / inverse
         dot = curvature.dot
+        duu, duv, dvv = three(s, DUU, k, block), three(s, DUV, k, block), three(s, DVV, k, block)
         s[_THIN * block + k] = dot(duu, duu) + 2.0 * dot(duv, duv) + dot(dvv, dvv)
-
-
-@scalar
-def _three(s: FloatArray, row: int, k: int, block: int) -> curvature.Three:
-    return s[row * block + k], s[(row + 1) * block + k], s[(row + 2) * block + k]
 
 
 @scalar
