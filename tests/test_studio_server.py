@@ -1,66 +1,21 @@
 """The studio's server: what it serves, and to whom."""
 
 import base64
-import http.client
 import io
-import json
 import signal
 import subprocess
 import sys
-import threading
 import time
 import urllib.error
 import urllib.request
 import zipfile
-from pathlib import Path
 
 import pytest
 
-uvicorn = pytest.importorskip("uvicorn", reason="the extra 'studio' is not installed")
+pytest.importorskip("uvicorn", reason="the extra 'studio' is not installed")
 
-from quintrig.studio import server  # noqa: E402
-
-MODEL = 'name = "A tent"  # a remark\nunit = "m"\nkind = "cone"\nradius = 2  # of the base\nheight = 3\n'
-
-
-class Running:
-    """A server over a folder, and requests to it with any headers."""
-
-    def __init__(self, folder: Path):
-        self.folder = folder
-        self.site = server.site(folder / "tent.toml")
-        config = uvicorn.Config(
-            server.application(self.site), host=self.site.host, port=self.site.port, log_level="error", lifespan="off"
-        )
-        self.server = uvicorn.Server(config)
-        self.thread = threading.Thread(target=self.server.run, daemon=True)
-        self.thread.start()
-        while not self.server.started:
-            time.sleep(0.02)
-        self.own = {
-            "Host": f"127.0.0.1:{self.site.port}",
-            "Origin": f"http://127.0.0.1:{self.site.port}",
-            "Cookie": f"quintrig_{self.site.port}={self.site.token}",
-        }
-
-    def ask(self, method, path, body=None, headers=None, without=()):
-        given = {**self.own, **(headers or {})}
-        for name in without:
-            given.pop(name)
-        connection = http.client.HTTPConnection("127.0.0.1", self.site.port, timeout=20)
-        connection.putrequest(method, path, skip_host=True, skip_accept_encoding=True)
-        data = body.encode() if isinstance(body, str) else json.dumps(body).encode() if body is not None else b""
-        for name, value in {"Content-Length": str(len(data)), **given}.items():
-            connection.putheader(name, value)
-        connection.endheaders(data)
-        answer = connection.getresponse()
-        text = answer.read()
-        connection.close()
-        return answer.status, dict(answer.getheaders()), text
-
-    def json(self, *arguments, **options):
-        status, _, text = self.ask(*arguments, **options)
-        return status, json.loads(text)
+from quintrig.studio import server
+from studio_server import MODEL, Running
 
 
 @pytest.fixture
@@ -72,8 +27,7 @@ def running(tmp_path):
     (tmp_path / "inner" / "deep.toml").write_text('kind = "sphere"')
     one = Running(tmp_path)
     yield one
-    one.server.should_exit = True
-    one.thread.join(10)
+    one.stop()
 
 
 def test_the_page_its_script_and_its_policy(running):
@@ -256,7 +210,7 @@ def test_exports_are_those_of_the_exchange_package(running):
 @pytest.mark.parametrize("suffix", ["nonsense", "", ".toml", "../x.stl", ".stl/../../x"])
 def test_an_unknown_format_is_refused_in_one_line(running, suffix):
     status, answer = running.json("POST", "/api/export", order(suffix))
-    assert status == 500
+    assert status == 422
     assert "\n" not in answer["error"]
     assert "offered" in answer["error"]
 

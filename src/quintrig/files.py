@@ -2,26 +2,51 @@
 
 import json
 import os
+import stat
 import tempfile
 import tomllib
 from collections.abc import Generator, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any, cast
+from typing import Any, BinaryIO, cast
 
 from quintrig.errors import QuintrigError
+
+
+def open_regular(path: Path) -> BinaryIO:
+    """Open a file for reading bytes; OSError for a pipe, socket or device, which may never end or never begin."""
+    found = _special(path)
+    if found:
+        raise OSError(f"expected a regular file, found {found}")
+    return open(path, "rb", opener=_without_waiting)
+
+
+def _without_waiting(path: str, flags: int) -> int:
+    # Where the file has become a pipe since it was looked at, opening it still returns at once.
+    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
+
+
+def _special(path: Path) -> str:
+    """Return in words what a path leads to, where that is neither a regular file nor nothing."""
+    try:
+        mode = path.stat().st_mode
+    except FileNotFoundError:
+        return ""
+    kinds = {stat.S_IFREG: "", stat.S_IFDIR: "a folder", stat.S_IFIFO: "a pipe", stat.S_IFSOCK: "a socket"}
+    return kinds.get(stat.S_IFMT(mode), "a device")
 
 
 def write_whole(path: str | Path, data: bytes | str) -> Path:
     """Write ``data`` (text as UTF-8) to ``path`` through a temporary file beside it, and return the path.
 
-    An existing file is replaced in one step or kept. Missing parent folders are made. Raises QuintrigError, naming the
-    path and the remedy, when it cannot be written.
+    An existing file is replaced in one step or kept; its permissions stay, and a link stays one, to the new content.
+    Missing parent folders are made. Raises QuintrigError, naming the path and the remedy, when it cannot be written.
     """
     target = Path(path)
-    with _draft(target, data) as draft:
-        draft.replace(target)
+    real = Path(os.path.realpath(target)) if target.is_symlink() else target
+    with _draft(real, data) as draft:
+        draft.replace(real)
     return target
 
 
@@ -42,15 +67,14 @@ def write_first(path: Path, data: bytes | str) -> bool:
 @contextmanager
 def _draft(target: Path, data: bytes | str) -> Generator[Path]:
     """Give a temporary file beside the target with the data in it, and remove it if it is still there at the end."""
-    if target.is_dir():
-        raise QuintrigError(f"{target}: expected the name of a file to write, found a folder; add a file name")
+    _refuse_special(target)
     temporary = ""
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
         handle, temporary = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
         with os.fdopen(handle, "wb") as file:
             file.write(data.encode() if isinstance(data, str) else data)
-        Path(temporary).chmod(0o666 & ~_umask())
+        _dress(Path(temporary), target)
         yield Path(temporary)
     except OSError as error:
         raise _refusal(target, error) from None
@@ -59,11 +83,31 @@ def _draft(target: Path, data: bytes | str) -> Generator[Path]:
             Path(temporary).unlink(missing_ok=True)
 
 
+def _dress(draft: Path, target: Path) -> None:
+    """Give a draft the owner and the permissions of the file that it will replace, or those of a new file."""
+    try:
+        old = target.stat()
+    except FileNotFoundError:
+        draft.chmod(0o666 & ~_umask())
+        return
+    with suppress(OSError, AttributeError):  # only root may give a file away, and Windows has no such thing
+        os.chown(draft, old.st_uid, old.st_gid)
+    draft.chmod(stat.S_IMODE(old.st_mode))
+
+
+def _refuse_special(target: Path) -> None:
+    found = ""
+    with suppress(OSError):  # told when it is written
+        found = _special(target)
+    if found:
+        remedy = "add a file name" if found == "a folder" else "choose another name"
+        raise QuintrigError(f"{target}: expected the name of a file to write, found {found}; {remedy}")
+
+
 def refuse_unwritable(path: str | Path) -> None:
     """Raise the QuintrigError of ``write_whole`` where it would fail, before long work whose result goes there."""
     target = Path(path)
-    if target.is_dir():
-        raise QuintrigError(f"{target}: expected the name of a file to write, found a folder; add a file name")
+    _refuse_special(target)
     there = next(folder for folder in target.absolute().parents if folder.exists())
     try:
         with tempfile.TemporaryFile(dir=there):
@@ -98,13 +142,17 @@ def _is_model(path: Path) -> bool:
 
 def _named_nets(path: Path) -> Iterator[Path]:
     """Yield the CSV files that a model names in place of numbers."""
-    keys = _keys(path) or {}
+    yield from (path.parent / name for name in nets_named(_keys(path) or {}))
+
+
+def nets_named(keys: dict[str, Any]) -> Iterator[str]:
+    """Yield the names of CSV files that the keys of a model hold in place of numbers."""
     several = keys.get("patch", ())
     tables = [keys, *(cast(list[Any], several) if isinstance(several, list) else ())]
     for table in tables:
         for value in cast(dict[str, Any], table).values() if isinstance(table, dict) else ():
             if isinstance(value, str) and value.lower().endswith(".csv"):
-                yield path.parent / value
+                yield value
 
 
 def _keys(path: Path) -> dict[str, Any] | None:
@@ -113,7 +161,8 @@ def _keys(path: Path) -> dict[str, Any] | None:
     if suffix not in (".toml", ".json"):
         return None
     try:
-        text = path.read_text(encoding="utf-8-sig")
+        with open_regular(path) as file:
+            text = file.read().decode("utf-8-sig")
         found: object = tomllib.loads(text) if suffix == ".toml" else json.loads(text)
     except (OSError, ValueError, RecursionError):
         return None

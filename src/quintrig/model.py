@@ -15,6 +15,7 @@ from pydantic import ValidationError
 from quintrig.definition import KINDS, Bezier, Definition
 from quintrig.errors import ModelError, nearest
 from quintrig.explain import HEADER, explain, spell
+from quintrig.files import open_regular
 from quintrig.surface import Surface
 
 SCHEMA_VERSION = 1
@@ -153,22 +154,31 @@ def load(path: str | Path) -> Model:
     if not isinstance(path, (str, Path)):  # pyright: ignore[reportUnnecessaryIsInstance]
         raise ModelError(f"load: expected the path of a model file, got {spell(path)}")
     path = Path(path)
-    parsers = {".toml": tomllib.loads, ".json": partial(json.loads, object_pairs_hook=_once)}
-    if path.suffix.lower() not in parsers:
+    if path.suffix.lower() not in PARSERS:
         raise ModelError(f"{path}: expected a file ending in .toml or .json")
-    text = read_text(path)
-    if not text.strip():
-        raise ModelError(f"{path}: the file is empty; expected a model, such as 'quintrig new swept' writes")
-    try:
-        data = parsers[path.suffix.lower()](text)
-    except RecursionError:
-        raise ModelError(f"{path}: nested too deeply to be a model") from None
-    except ValueError as error:
-        raise ModelError(f"{path}: not valid {path.suffix[1:].upper()}: {_syntax(error)}") from None
+    data = parse(str(path), read_text(path))
     try:
         return Model.from_dict(data, path.parent)
     except ModelError as error:
         raise ModelError(f"{path}: {error}") from None
+
+
+def parse(name: str, text: str) -> Any:
+    """Return what the text of a model file of this name says, unchecked.
+
+    Raises ModelError, naming the file, where it is neither TOML nor JSON by its ending, or gives a key twice.
+    """
+    suffix = Path(name).suffix.lower()
+    if suffix not in PARSERS:
+        raise ModelError(f"{name}: expected a file ending in .toml or .json")
+    if not text.strip():
+        raise ModelError(f"{name}: the file is empty; expected a model, such as 'quintrig new swept' writes")
+    try:
+        return PARSERS[suffix](text)
+    except RecursionError:
+        raise ModelError(f"{name}: nested too deeply to be a model") from None
+    except ValueError as error:
+        raise ModelError(f"{name}: not valid {suffix[1:].upper()}: {_syntax(error)}") from None
 
 
 def _syntax(error: ValueError) -> str:
@@ -179,7 +189,7 @@ def _syntax(error: ValueError) -> str:
     return text.replace("Cannot overwrite a value", "a key is given twice")
 
 
-def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+def once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     """Refuse a key given twice, of which JSON would keep the last in silence."""
     keys: dict[str, Any] = {}
     for key, value in pairs:
@@ -187,6 +197,10 @@ def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
             raise ValueError(f"the key {spell(key)} is given twice")
         keys[key] = value
     return keys
+
+
+PARSERS = {".toml": tomllib.loads, ".json": partial(json.loads, object_pairs_hook=once)}
+"""What reads a model file, by its ending; a key given twice is a ValueError."""
 
 
 def read_text(path: Path, what: str = "a model") -> str:
@@ -202,8 +216,8 @@ def read_text(path: Path, what: str = "a model") -> str:
             raise ModelError(
                 f"{path}: expected at most {LARGEST_FILE >> 20} MB, found {size >> 20} MB; is this {what}?"
             )
-        with path.open("rb") as file:
-            # A pipe or device has no size of its own.
+        with open_regular(path) as file:
+            # It may grow meanwhile.
             raw = file.read(LARGEST_FILE + 1)
     except ModelError:
         raise

@@ -1,5 +1,7 @@
 """``quintrig view``: the live studio in the browser."""
 
+from collections.abc import Generator
+from contextlib import contextmanager, nullcontext
 from pathlib import Path
 from typing import Annotated
 
@@ -52,12 +54,30 @@ def view(
     session.emit("Stop it with Ctrl-C.")
     if host not in ("127.0.0.1", "localhost", "::1"):
         session.emit("Anyone who can reach this address and knows the token can read and write models in the folder.")
-    if browser:
-        import threading
-        import webbrowser
-
-        threading.Timer(0.6, webbrowser.open, [where.address]).start()
     try:
-        server.serve(where)
+        with _opened_by(where.address) if browser else nullcontext():
+            server.serving(where).run()
     except KeyboardInterrupt:
         session.emit("Stopped.")
+
+
+@contextmanager
+def _opened_by(address: str) -> Generator[None]:
+    """Open the browser on a file that only this user may read: all may see what a browser is started with."""
+    import tempfile
+    import threading
+    import webbrowser
+
+    from quintrig.studio.page import redirect
+
+    with tempfile.TemporaryDirectory(prefix="quintrig-") as folder:  # of mode 700
+        door = Path(folder) / "open.html"
+        door.touch(0o600)
+        door.write_text(redirect(address), encoding="utf-8")
+        opening = threading.Timer(0.6, webbrowser.open, [door.as_uri()])
+        opening.daemon = True
+        opening.start()
+        try:
+            yield
+        finally:
+            opening.cancel()

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from quintrig.errors import QuintrigError
 from quintrig.exchange.faces import Contents
+from quintrig.files import open_regular
 
 SECONDS = 300
 """Time that a file may take; a large assembly takes some seconds."""
@@ -64,7 +65,7 @@ def _check(path: Path) -> None:
         if path.is_dir():
             raise QuintrigError(f"{path}: expected a file, found a folder")
         size = path.stat().st_size
-        with path.open("rb") as file:
+        with open_regular(path) as file:
             file.read(1)
     except FileNotFoundError:
         raise QuintrigError(f"{path}: no such file; check the path") from None

@@ -2,17 +2,17 @@
 
 import hashlib
 import json
-import tomllib
+import os
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 from quintrig.errors import ModelError, QuintrigError
-from quintrig.files import write_whole
-from quintrig.model import LARGEST_FILE, Model, load
+from quintrig.files import nets_named, open_regular, write_whole
+from quintrig.model import LARGEST_FILE, Model, parse, read_text
 from quintrig.studio.merge import merged
 
 SUFFIXES = (".toml", ".json")
-_LONGEST_NAME = 120
+_LONGEST_NAME = 200  # bytes: file systems take 255, of which a draft beside it needs some
 _MOST_FILES = 500
 
 
@@ -33,7 +33,7 @@ def confined(folder: Path, name: str) -> Path:
     """
     path = Path(name)
     plain = name == path.name and "\\" not in name and ":" not in name and name.isprintable()
-    if not plain or name.startswith(".") or not 0 < len(name) <= _LONGEST_NAME:
+    if not plain or name.startswith(".") or not 0 < len(name.encode()) <= _LONGEST_NAME:
         raise ModelError(f"{name[:80]!r}: expected the plain name of a file in the folder that the studio is open on")
     if path.suffix.lower() not in SUFFIXES:
         raise ModelError(f"{name}: expected a name ending in .toml or .json")
@@ -44,31 +44,35 @@ def confined(folder: Path, name: str) -> Path:
 
 
 def read(folder: Path, name: str) -> tuple[Model, str]:
-    """Return a model and the tag of the version on disk; ModelError as on the command line, without the folder."""
+    """Return a model and the tag of the version on disk; ModelError as on the command line."""
     path = confined(folder, name)
-    try:
-        return load(path), tag_of(path)
-    except ModelError as error:
-        raise ModelError(str(error).replace(str(path), name)) from None
+    # Tag first: what is written between the two is then told as a change, not overwritten.
+    tag = tag_of(path) if path.is_file() else ""
+    return _model(name, read_text(path), folder), tag
 
 
 def checked(name: str, text: str, folder: Path | None = None) -> Model:
     """Return the model that a file of this name and content would hold; ModelError as on the command line."""
-    suffix = Path(name).suffix.lower()
-    if suffix not in SUFFIXES:
-        raise ModelError(f"{name}: expected a file ending in .toml or .json")
     if len(text.encode()) > LARGEST_FILE:
         raise ModelError(f"{name}: expected at most {LARGEST_FILE >> 20} MB, found more; is this a model?")
+    return _model(name, text, folder)
+
+
+def _model(name: str, text: str, folder: Path | None) -> Model:
+    data = parse(name, text)
     try:
-        data: Any = tomllib.loads(text) if suffix == ".toml" else json.loads(text)
-    except RecursionError:
-        raise ModelError(f"{name}: nested too deeply to be a model") from None
-    except ValueError as error:
-        raise ModelError(f"{name}: not valid {suffix[1:].upper()}: {str(error).splitlines()[0]}") from None
-    try:
-        return Model.from_dict(data, folder)
+        if folder is not None and isinstance(data, dict):
+            _refuse_way_out(cast(dict[str, Any], data), folder)
+        return Model.from_dict(cast(Any, data), folder)
     except ModelError as error:
         raise ModelError(f"{name}: {error}") from None
+
+
+def _refuse_way_out(keys: dict[str, Any], folder: Path) -> None:
+    """Raise ModelError where a CSV file that a model names is, through a link, one of another place."""
+    for name in nets_named(keys):
+        if not Path(os.path.realpath(folder / name)).is_relative_to(os.path.realpath(folder)):
+            raise ModelError(f"{name}: leads out of the folder, where the studio does not follow; put a copy in it")
 
 
 def save(folder: Path, name: str, model: Model, tag: str | None) -> str:
@@ -94,13 +98,14 @@ def save(folder: Path, name: str, model: Model, tag: str | None) -> str:
 def tag_of(path: Path) -> str:
     """Return a short name of the content of a file, which tells versions apart."""
     try:
-        return hashlib.sha256(path.read_bytes()).hexdigest()[:16]
+        with open_regular(path) as file:
+            return hashlib.sha256(file.read()).hexdigest()[:16]
     except OSError as error:
-        raise QuintrigError(f"{path.name}: cannot be read ({error.strerror})") from None
+        raise QuintrigError(f"{path.name}: cannot be read ({error.strerror or error})") from None
 
 
 def _text(path: Path) -> str:
     try:
-        return path.read_text(encoding="utf-8-sig")
-    except (OSError, UnicodeDecodeError):
+        return read_text(path)
+    except ModelError:
         return ""

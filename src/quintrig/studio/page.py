@@ -80,6 +80,15 @@ def shell(place: str) -> str:
     )
 
 
+def redirect(address: str) -> str:
+    """Return a page that leads on to an address: a browser's command line, which all may read, then has no token."""
+    whole = html.escape(address, quote=True)
+    return (
+        '<!doctype html>\n<meta charset="utf-8">\n<title>quintrig</title>\n'
+        f'<meta http-equiv="refresh" content="0; url={whole}">\n<a href="{whole}">Open the studio</a>\n'
+    )
+
+
 PAGE_STYLE = f"html, body, .quintrig-page {{ {_STYLE}; }}\n"
 """Style sheet of the live page: the studio fills the window."""
 

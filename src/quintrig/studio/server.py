@@ -3,24 +3,27 @@
 import base64
 import hashlib
 import json
+import os
 import secrets
 import socket
 from collections.abc import Awaitable, Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, cast
-from urllib.parse import unquote
 
 import anyio.to_thread
+import uvicorn
 from starlette.applications import Starlette
-from starlette.requests import Request
+from starlette.requests import ClientDisconnect, Request
 from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
 
 from quintrig.errors import ModelError, QuintrigError
 from quintrig.exchange.formats import FAMILIES
+from quintrig.model import once
 from quintrig.studio import exports, folder, page
 from quintrig.studio.guard import App, Guard, TooLarge
+from quintrig.studio.patient import Patient
 
 LOOPBACK = "127.0.0.1"
 _FIRST_PORT, _PORTS = 8700, 250
@@ -108,6 +111,14 @@ def application(where: Site) -> App:
         content = base64.b64encode(made.content).decode()
         return JSONResponse({"name": made.name, "notes": made.notes, "content": content})
 
+    def told(status: int) -> Callable[[Request, Exception], Response]:
+        def answer(_: Request, error: Exception) -> Response:
+            # The page knows files by their names; where the folder lies is not its business.
+            text = str(error).replace(f"{where.folder}{os.sep}", "")
+            return JSONResponse({"error": text or "the request is too large"}, status)
+
+        return answer
+
     routes = [
         Route("/", index),
         Route("/studio.js", _static(page.script(), "text/javascript")),
@@ -124,24 +135,25 @@ def application(where: Site) -> App:
     inner = Starlette(
         routes=routes,
         exception_handlers={
-            ModelError: _told(422),
-            ValueError: _told(422),
-            QuintrigError: _told(500),
-            folder.Changed: _told(409),
-            TooLarge: _told(413),
+            ModelError: told(422),
+            ValueError: told(422),
+            QuintrigError: told(422),
+            OSError: told(422),
+            folder.Changed: told(409),
+            TooLarge: told(413),
+            ClientDisconnect: told(400),  # to nobody
         },
     )
     return Guard(cast(App, inner), where.token, where.host, where.port)
 
 
-def serve(where: Site) -> None:
-    """Serve a site until interrupted."""
-    import uvicorn
-
+def serving(where: Site) -> uvicorn.Server:
+    """Return what serves a site, once it is run."""
     config = uvicorn.Config(
         cast(Any, application(where)),
         host=where.host,
         port=where.port,
+        http=Patient,
         log_level="warning",
         access_log=False,
         server_header=False,
@@ -149,7 +161,7 @@ def serve(where: Site) -> None:
         lifespan="off",
         timeout_graceful_shutdown=1,
     )
-    uvicorn.Server(config).run()
+    return uvicorn.Server(config)
 
 
 async def _opened(where: Path, name: str) -> Response:
@@ -164,27 +176,22 @@ def _static(content: str, kind: str) -> Answer:
     return answer
 
 
-def _told(status: int) -> Callable[[Request, Exception], Response]:
-    def answer(_: Request, error: Exception) -> Response:
-        return JSONResponse({"error": str(error) or "the request is too large"}, status)
-
-    return answer
-
-
 def _name(request: Request) -> str:
-    return unquote(str(request.path_params["name"]))
+    return str(request.path_params["name"])  # decoded by the server already
 
 
 async def _body(request: Request, *keys: str) -> dict[str, Any]:
     """Return the texts of a JSON body; ValueError where one is missing."""
     try:
-        body: Any = json.loads(await request.body())
+        body: Any = json.loads(await request.body(), object_pairs_hook=once)
     except (ValueError, RecursionError):
         raise ValueError("expected a JSON object") from None
     for key in keys:
         value = body.get(key) if isinstance(body, dict) else None  # pyright: ignore
         if not (isinstance(value, str) or (key == "tag" and value is None)):
             raise ValueError(f"{key}: expected a text")
+        if isinstance(value, str) and any("\ud800" <= letter <= "\udfff" for letter in value):
+            raise ValueError(f"{key}: expected a text, found half a letter in it (a lone surrogate)")
     return cast(dict[str, Any], body)
 
 
