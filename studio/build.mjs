@@ -1,8 +1,9 @@
 // Builds src/ into the one file that the Python package ships: node build.mjs [OUT]
-// The first line of the bundle holds a hash of the sources, so that a test can tell when it is out of date.
+// The first line of the bundle holds a hash of the sources, so that a test can tell when it is out of date; after it
+// come the licences of the packages that are in it, as those ask.
 import { createHash } from "node:crypto";
 import { readFileSync, readdirSync, renameSync, writeFileSync } from "node:fs";
-import { dirname, join, relative } from "node:path";
+import { dirname, join, relative, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 
@@ -29,9 +30,28 @@ const result = await build({
   legalComments: "none",
   loader: { ".css": "text" },
   write: false,
-  banner: { js: `/* quintrig studio; sources sha256 ${hash.digest("hex")}; contains three.js (MIT, three.js authors) */` },
+  metafile: true,
 });
+
+/** The folders of the packages of which something is in the bundle. */
+function packages({ outputs }) {
+  const used = Object.values(outputs).flatMap(({ inputs }) => Object.entries(inputs).filter(([, part]) => part.bytesInOutput > 0));
+  const folders = used.map(([name]) => resolve(name).replaceAll("\\", "/").match(/^.*\/node_modules\/(?:@[^/]+\/)?[^/]+(?=\/)/)?.[0]);
+  return [...new Set(folders.filter(Boolean))].sort();
+}
+
+/** A package's name, version and licence in full. */
+function notice(folder) {
+  const { name, version, license } = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
+  const file = readdirSync(folder).find((entry) => /^(licen[cs]e|copying)(\.|$)/i.test(entry));
+  if (!file) throw new Error(`${name}: has no licence file, which the bundle would have to carry`);
+  return `${name} ${version} (${license})\n\n${readFileSync(join(folder, file), "utf8").trim()}`.replaceAll("*/", "* /");
+}
+
+const notices = packages(result.metafile).map((folder) => `/*! ${notice(folder)}\n*/\n`);
+const first = `/* quintrig studio; sources sha256 ${hash.digest("hex")}; the licences of the packages in it follow */\n`;
+const bundle = [first, ...notices, result.outputFiles[0].text].join("");
 const temporary = `${out}.${process.pid}`;
-writeFileSync(temporary, result.outputFiles[0].contents);
+writeFileSync(temporary, bundle);
 renameSync(temporary, out);
-console.log(`${relative(process.cwd(), out)}: ${(result.outputFiles[0].contents.length / 1024).toFixed(0)} KiB`);
+console.log(`${relative(process.cwd(), out)}: ${(Buffer.byteLength(bundle) / 1024).toFixed(0)} KiB, with ${notices.length} licences of packages`);
