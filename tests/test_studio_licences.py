@@ -24,7 +24,7 @@ def packages():
 
 def notices(text):
     """The notices in a bundle, by package."""
-    return {one[1]: one[0] for one in re.finditer(r"/\*! (\S+) \d[^*]*?\*/", text)}
+    return {one[1]: one[0] for one in re.finditer(r"/\*! (\S+) \d.*?\*/", text, re.DOTALL)}
 
 
 def test_every_package_in_the_bundle_has_its_notice():

@@ -3,27 +3,11 @@
 import { LiveHost, opened, PageHost } from "./app/host";
 import { Studio } from "./app/studio";
 import { PRESETS } from "./app/state";
-import { fromDict, toDict } from "./numerics/model";
-import css from "./studio.css";
+import { render } from "./app/notebook";
+import { reachable, shelter } from "./app/shelter";
+import { fromDict } from "./numerics/model";
 
 export * from "./numerics/index";
-
-/** Put the styles and a place for the studio into an element, apart from the page around it. */
-function shelter(element: HTMLElement): HTMLElement {
-  const shadow = element.shadowRoot ?? element.attachShadow({ mode: "open" });
-  const sheet = new CSSStyleSheet();
-  sheet.replaceSync(css);
-  shadow.adoptedStyleSheets = [sheet];
-  const place = document.createElement("div");
-  place.className = "place";
-  shadow.replaceChildren(place);
-  return place;
-}
-
-/** Let scripts and tests find the studio of an element. */
-function reachable(element: HTMLElement, studio: Studio): Studio {
-  return Object.assign(element, { studio }).studio;
-}
 
 /** The viewer of a page from disk. */
 export function embed(element: HTMLElement, data: { model: unknown; quantity?: string; place?: string }): Studio {
@@ -51,50 +35,6 @@ export async function live(element: HTMLElement, place: string): Promise<Studio>
   studio.store.subscribe(title);
   title();
   return reachable(element, studio);
-}
-
-interface WidgetModel {
-  get(key: string): unknown;
-  set(key: string, value: unknown): void;
-  on(event: string, act: () => void): void;
-  off(event: string, act: () => void): void;
-  save_changes(): void;
-}
-
-/** Jupyter: the kernel's model and the page's are kept the same, whichever side changes. */
-function render({ model, el }: { model: WidgetModel; el: HTMLElement }): () => void {
-  el.style.height = `${Number(model.get("height"))}px`;
-  let echo = "";
-  let timer = 0;
-  const send = () => {
-    model.set("model", JSON.parse(echo));
-    model.save_changes();
-  };
-  const studio = reachable(el, new Studio(shelter(el), new PageHost("notebook", "notebook"), {
-    model: fromDict(model.get("model")), source: null, quantity: String(model.get("quantity")),
-    onModel(now) {
-      const text = JSON.stringify(toDict(now));
-      if (text === echo) return;
-      echo = text;
-      // The kernel hears of a drag a few times a second, and of its end.
-      timer ||= window.setTimeout(() => {
-        timer = 0;
-        send();
-      }, 60);
-    },
-  }));
-  echo = JSON.stringify(toDict(studio.store.state.model));
-  const receive = () => {
-    const next = fromDict(model.get("model")), text = JSON.stringify(toDict(next));
-    if (text === echo) return;
-    echo = text;
-    studio.store.edit(next);
-  };
-  model.on("change:model", receive);
-  return () => {
-    model.off("change:model", receive);
-    studio.dispose();
-  };
 }
 
 export default { render };

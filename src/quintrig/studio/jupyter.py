@@ -1,11 +1,12 @@
 """The studio in a notebook: what is changed in the page is changed in the kernel, and the other way round."""
 
+import base64
 from typing import Any, cast
 
 from quintrig.errors import QuintrigError
 from quintrig.model import Model
 from quintrig.quantity import quantity
-from quintrig.studio import page
+from quintrig.studio import page, still
 from quintrig.studio.describe import Subject, as_model
 from quintrig.surface import Surface
 
@@ -16,13 +17,36 @@ except ModuleNotFoundError as error:
     raise QuintrigError(f"showing surfaces in Jupyter needs {error.name}: pip install 'quintrig[jupyter]'") from None
 
 
+NO_COLOUR = "none"
+"""What ``quantity`` is where the surface is plain."""
+
+
 class View(anywidget.AnyWidget):
-    """An interactive view. ``view.model`` follows every change in the page; assign to it to change the page."""
+    """An interactive view.
+
+    ``view.model``, ``view.quantity`` and ``view.height`` follow every change in the page; assign to them to change the
+    page. What they cannot be is a ``traitlets.TraitError`` or ValueError.
+    """
 
     _esm = page.BUNDLE
     model = cast(Any, traitlets.Dict().tag(sync=True))
     quantity = cast(Any, traitlets.Unicode("gaussian").tag(sync=True))
     height = cast(Any, traitlets.Int(560, min=240, max=4000).tag(sync=True))
+
+    @traitlets.validate("quantity")
+    def _known(self, proposal: Any) -> str:
+        key = str(proposal["value"])
+        if key != NO_COLOUR and quantity(key).colour == "vector":
+            raise ValueError(f"{key} is a vector; choose a quantity with one value at a point, such as gaussian")
+        return key
+
+    def _repr_mimebundle_(self, **kwargs: Any) -> Any:
+        """Return the live view, and what stands in for it in an exported notebook: a picture and a line of text."""
+        found = cast(Any, super()._repr_mimebundle_(**kwargs))  # pyright: ignore[reportUnknownMemberType]
+        data, metadata = cast(tuple[dict[str, Any], dict[str, Any]], found if isinstance(found, tuple) else (found, {}))
+        model, key = self.current, str(self.quantity)
+        picture = base64.b64encode(still.png(model, key)).decode()
+        return {**data, "image/png": picture, "text/plain": still.text(model, key)}, metadata
 
     @property
     def current(self) -> Model:
@@ -36,6 +60,9 @@ class View(anywidget.AnyWidget):
 
 
 def show(subject: Subject, key: str = "gaussian", height: int = 560) -> View:
-    """Return a view of a model, patch or surface, coloured by a quantity; ValueError for what cannot be shown."""
+    """Return a view of a model, patch or surface, coloured by a quantity or by ``none``.
+
+    ``height`` is in pixels. Raises ValueError for what cannot be shown.
+    """
     model = as_model(subject)
-    return View(model=model.to_dict(), quantity=quantity(key).key, height=height)
+    return View(model=model.to_dict(), quantity=key, height=height)

@@ -1,0 +1,42 @@
+"""What an exported notebook shows in place of the interactive view: a picture, and a line that says what it is."""
+
+from collections import Counter
+
+import numpy as np
+
+from quintrig.model import Model
+from quintrig.quantity import quantity
+
+_FACETS, _MOST = 60, 36_000  # a side, and in all: a notebook should not wait long for its picture
+
+
+def png(model: Model, key: str) -> bytes:
+    """Return a picture of all patches, coloured by the quantity ``key`` or plain with ``none``."""
+    # matplotlib is slow to import, and only pictures need it.
+    from quintrig.figure import Scene, space_picture, to_png_bytes
+
+    cells = max(8, min(_FACETS, int((_MOST / len(model.patches)) ** 0.5)))
+    surfaces = [patch.surface for patch in model.patches]
+    colour = None if key == "none" else key
+    figure = space_picture(surfaces, colour, Scene(cells=cells), title=model.name, unit=model.unit)
+    return to_png_bytes(figure, dpi=110)
+
+
+def text(model: Model, key: str) -> str:
+    """Return what is shown in one line: name, kinds, size and the quantity that colours it."""
+    kinds = Counter(patch.kind for patch in model.patches)
+    parts = ", ".join(kind if count == 1 else f"{count} {kind}" for kind, count in kinds.items())
+    what = f"one patch ({parts})" if len(model.patches) == 1 else f"{len(model.patches)} patches ({parts})"
+    colour = "without colours" if key == "none" else f"coloured by {quantity(key).name} {quantity(key).symbol}"
+    return f"{model.name}: {what}, {_size(model)}, {colour}; interactive in Jupyter while its kernel runs"
+
+
+def _size(model: Model) -> str:
+    t = np.linspace(0.0, 1.0, 33)
+    points = np.concatenate([patch.surface(t[:, None], t[None, :]).reshape(-1, 3) for patch in model.patches])
+    points = points[np.isfinite(points).all(axis=-1)]
+    if not len(points):
+        return "of no finite size"
+    rounding = 1e-12 * np.abs(points).max()
+    sides = " × ".join(f"{side if side > rounding else 0.0:.4g}" for side in np.ptp(points, axis=0))
+    return f"{sides} {model.unit}".rstrip()
