@@ -1,9 +1,7 @@
 """What writing needs: files whole or not at all, no model lost, and packages that may be missing."""
 
-import json
 import os
 import tempfile
-import tomllib
 from collections.abc import Generator, Iterator
 from contextlib import contextmanager
 from importlib.util import find_spec
@@ -11,6 +9,7 @@ from pathlib import Path
 from typing import Any, cast
 
 from quintrig.errors import QuintrigError
+from quintrig.parsing import LARGEST_FILE, parse
 
 
 def write_whole(path: str | Path, data: bytes | str) -> Path:
@@ -113,9 +112,10 @@ def _keys(path: Path) -> dict[str, Any] | None:
     if suffix not in (".toml", ".json"):
         return None
     try:
-        text = path.read_text(encoding="utf-8-sig")
-        found: object = tomllib.loads(text) if suffix == ".toml" else json.loads(text)
-    except (OSError, ValueError, RecursionError):
+        if path.stat().st_size > LARGEST_FILE:
+            return None
+        found: object = parse(path.read_text(encoding="utf-8-sig"), suffix)
+    except (OSError, ValueError):
         return None
     return cast(dict[str, Any], found) if isinstance(found, dict) else None
 

@@ -2,13 +2,12 @@
 
 import hashlib
 import json
-import tomllib
 from pathlib import Path
-from typing import Any
 
 from quintrig.errors import ModelError, QuintrigError
 from quintrig.files import write_whole
-from quintrig.model import LARGEST_FILE, Model, load
+from quintrig.model import Model, load
+from quintrig.parsing import parse
 from quintrig.studio.merge import merged
 
 SUFFIXES = (".toml", ".json")
@@ -57,16 +56,8 @@ def checked(name: str, text: str, folder: Path | None = None) -> Model:
     suffix = Path(name).suffix.lower()
     if suffix not in SUFFIXES:
         raise ModelError(f"{name}: expected a file ending in .toml or .json")
-    if len(text.encode()) > LARGEST_FILE:
-        raise ModelError(f"{name}: expected at most {LARGEST_FILE >> 20} MB, found more; is this a model?")
     try:
-        data: Any = tomllib.loads(text) if suffix == ".toml" else json.loads(text)
-    except RecursionError:
-        raise ModelError(f"{name}: nested too deeply to be a model") from None
-    except ValueError as error:
-        raise ModelError(f"{name}: not valid {suffix[1:].upper()}: {str(error).splitlines()[0]}") from None
-    try:
-        return Model.from_dict(data, folder)
+        return Model.from_dict(parse(text, suffix), folder)
     except ModelError as error:
         raise ModelError(f"{name}: {error}") from None
 
