@@ -194,7 +194,7 @@ FILES = {
     "deep.json": (b"[" * 100_000, "nested too deeply"),
     "closed.json": (b'{"a": ' * 100_000 + b"1" + b"}" * 100_000, "nested too deeply"),
     "deep.toml": (b"a = " + b"[" * 100_000 + b"]" * 100_000, "nested too deeply"),
-    "dotted.toml": (b"a" + b".a" * 5000 + b" = 1", "got no kind"),
+    "dotted.toml": (b"a" + b".a" * 5000 + b" = 1", "nested too deeply"),
     "binary.toml": (bytes(range(256)), "expected text in UTF-8, found the byte 0x80 in line 2"),
     "latin.toml": ('# Höhe\nkind = "sphere"'.encode("latin-1"), "found the byte 0xf6 in line 1; is this a model?"),
     "nul.toml": (b'kind = "sphere"\0', "not valid TOML"),

@@ -1,10 +1,8 @@
 """What writing needs: files whole or not at all, no model lost, and packages that may be missing."""
 
-import json
 import os
 import stat
 import tempfile
-import tomllib
 from collections.abc import Generator, Iterator
 from contextlib import contextmanager, suppress
 from importlib.util import find_spec
@@ -12,6 +10,7 @@ from pathlib import Path
 from typing import Any, BinaryIO, cast
 
 from quintrig.errors import QuintrigError
+from quintrig.parsing import LARGEST_FILE, parse
 
 
 def open_regular(path: Path) -> BinaryIO:
@@ -162,9 +161,9 @@ def _keys(path: Path) -> dict[str, Any] | None:
         return None
     try:
         with open_regular(path) as file:
-            text = file.read().decode("utf-8-sig")
-        found: object = tomllib.loads(text) if suffix == ".toml" else json.loads(text)
-    except (OSError, ValueError, RecursionError):
+            raw = file.read(LARGEST_FILE + 1)
+        found: object = parse(raw.decode("utf-8-sig"), suffix)
+    except (OSError, ValueError):
         return None
     return cast(dict[str, Any], found) if isinstance(found, dict) else None
 

@@ -1,21 +1,19 @@
 """Models: named surfaces with a unit, from TOML or JSON files."""
 
-import csv
-import json
-import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 from importlib import import_module
 from pathlib import Path
 from typing import Any, cast
 
 from pydantic import ValidationError
 
+from quintrig.csv_rows import rows_of
 from quintrig.definition import KINDS, Bezier, Definition
 from quintrig.errors import ModelError, nearest
 from quintrig.explain import HEADER, explain, spell
 from quintrig.files import open_regular
+from quintrig.parsing import LARGEST_FILE, parse
 from quintrig.surface import Surface
 
 SCHEMA_VERSION = 1
@@ -31,9 +29,6 @@ _UNIT_NAMES = {
     **dict.fromkeys(("inch", "inches", '"'), "in"),
     **dict.fromkeys(("foot", "feet", "'"), "ft"),
 }
-
-LARGEST_FILE = 16 * 2**20
-"""Bytes; the largest real model is a few kilobytes."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -154,53 +149,15 @@ def load(path: str | Path) -> Model:
     if not isinstance(path, (str, Path)):  # pyright: ignore[reportUnnecessaryIsInstance]
         raise ModelError(f"load: expected the path of a model file, got {spell(path)}")
     path = Path(path)
-    if path.suffix.lower() not in PARSERS:
+    if path.suffix.lower() not in (".toml", ".json"):
         raise ModelError(f"{path}: expected a file ending in .toml or .json")
-    data = parse(str(path), read_text(path))
+    text = read_text(path)
+    if not text.strip():
+        raise ModelError(f"{path}: the file is empty; expected a model, such as 'quintrig new swept' writes")
     try:
-        return Model.from_dict(data, path.parent)
+        return Model.from_dict(parse(text, path.suffix.lower()), path.parent)
     except ModelError as error:
         raise ModelError(f"{path}: {error}") from None
-
-
-def parse(name: str, text: str) -> Any:
-    """Return what the text of a model file of this name says, unchecked.
-
-    Raises ModelError, naming the file, where it is neither TOML nor JSON by its ending, or gives a key twice.
-    """
-    suffix = Path(name).suffix.lower()
-    if suffix not in PARSERS:
-        raise ModelError(f"{name}: expected a file ending in .toml or .json")
-    if not text.strip():
-        raise ModelError(f"{name}: the file is empty; expected a model, such as 'quintrig new swept' writes")
-    try:
-        return PARSERS[suffix](text)
-    except RecursionError:
-        raise ModelError(f"{name}: nested too deeply to be a model") from None
-    except ValueError as error:
-        raise ModelError(f"{name}: not valid {suffix[1:].upper()}: {_syntax(error)}") from None
-
-
-def _syntax(error: ValueError) -> str:
-    """Say in the user's terms what a parser found."""
-    text = _first_line(error)
-    if "integer string conversion" in text:
-        return "a number has thousands of digits"
-    return text.replace("Cannot overwrite a value", "a key is given twice")
-
-
-def once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    """Refuse a key given twice, of which JSON would keep the last in silence."""
-    keys: dict[str, Any] = {}
-    for key, value in pairs:
-        if key in keys:
-            raise ValueError(f"the key {spell(key)} is given twice")
-        keys[key] = value
-    return keys
-
-
-PARSERS = {".toml": tomllib.loads, ".json": partial(json.loads, object_pairs_hook=once)}
-"""What reads a model file, by its ending; a key given twice is a ValueError."""
 
 
 def read_text(path: Path, what: str = "a model") -> str:
@@ -237,30 +194,27 @@ def read_text(path: Path, what: str = "a model") -> str:
 
 
 def read_net(path: Path) -> list[list[float]]:
-    """Return the rows of numbers of a CSV file, comma or semicolon separated; a heading and ``#`` lines are skipped."""
+    """Return the rows of numbers of a CSV file, comma or semicolon separated; a heading and ``#`` lines are skipped.
+
+    Raises ModelError, naming file and row, for anything else.
+    """
     return list(read_rows(path).values())
 
 
 def read_rows(path: Path) -> dict[int, list[float]]:
     """Return the rows that ``read_net`` does, by their numbers in the file, which count every line from 1."""
     text = read_text(path, "a table of numbers")
-    lines = {
-        number: line
-        for number, line in enumerate(text.splitlines(), 1)
-        if line.strip() and not line.lstrip().startswith("#")
-    }
-    first = next(iter(lines), 0)
-    delimiter = ";" if ";" in lines.get(first, "") else ","
-    rows: dict[int, list[float]] = {}
-    for number, line in lines.items():
-        cells = next(csv.reader([line], delimiter=delimiter))
-        try:
-            rows[number] = [float(cell) for cell in cells]
-        except ValueError:
-            if number == first:
-                continue
-            raise ModelError(f"{path}: row {number}: expected numbers, got {', '.join(cells)[:60]!r}") from None
-    return rows
+    try:
+        return rows_of(text)
+    except ModelError as error:
+        raise ModelError(f"{path}: {error}") from None
+
+
+def in_rows(points: list[Any], columns: int, place: str) -> list[Any]:
+    """Return points listed row by row in rows of ``columns``; ValueError, naming ``place``, if one is not full."""
+    if len(points) % columns:
+        raise ValueError(f"{place}: expected a multiple of {columns} rows, got {len(points)}")
+    return [points[i : i + columns] for i in range(0, len(points), columns)]
 
 
 def _several(data: dict[str, Any], folder: Path | None) -> tuple[Patch, ...]:
@@ -316,9 +270,7 @@ def _with_nets(keys: dict[str, Any], form: type[Definition], folder: Path | None
         rows = read_net(folder / file)
         # A net of rows x columns is listed row by row, as many columns as the trigonometric basis has.
         columns = form.counts[key][-1] if len(form.counts[key]) == 2 else 0
-        if columns and len(rows) % columns:
-            raise ValueError(f"{key}: {file}: expected a multiple of {columns} rows, got {len(rows)}")
-        result[key] = [rows[i : i + columns] for i in range(0, len(rows), columns)] if columns else rows
+        result[key] = in_rows(rows, columns, f"{key}: {file}") if columns else rows
     return result
 
 

@@ -7,9 +7,11 @@ import csv
 import io
 import json
 import math
+import re
 from collections.abc import Callable, Iterator
 from itertools import pairwise
 
+from quintrig.csv_rows import guarded
 from quintrig.table import Column, Table
 
 _WIDEST = 8
@@ -20,7 +22,7 @@ def to_csv(table: Table) -> str:
     """Return comma-separated values headed by the keys, after notes on lines with ``#``; NaN is left empty."""
     stream = io.StringIO()
     units = ", ".join(f"{column.key} in {column.unit}" for column in table.columns if column.unit)
-    for note in (table.title, *table.notes, units and f"Units: {units}"):
+    for note in (_guarded(table.title), *table.notes, units and f"Units: {units}"):
         if note:
             stream.write(f"# {' '.join(note.split())}\n")
     writer = csv.writer(stream, lineterminator="\n")
@@ -111,8 +113,13 @@ def parts(table: Table, widest: int) -> Iterator[tuple[Column, ...]]:
 
 def _exact(value: float | str) -> str:
     if isinstance(value, str):
-        return value
+        return guarded(value)
     return "" if math.isnan(value) else repr(value)
+
+
+def _guarded(text: str) -> str:
+    """Return a title, whose commas a spreadsheet takes for the ends of cells, without a formula in a cell."""
+    return "".join(part if part in ",;" else guarded(part) for part in re.split("([,;])", text))
 
 
 def _json_value(value: float | str) -> float | str | None:

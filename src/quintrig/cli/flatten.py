@@ -73,9 +73,11 @@ def flatten(
 
 def _size(text: str) -> tuple[float, float]:
     """Read WxH; ValueError naming the option."""
+    from quintrig.numerals import real
+
     words = text.lower().replace("×", "x").split("x")
     try:
-        width, height = (float(word) for word in words)
+        width, height = map(real, words)
     except ValueError:
         width = height = float("nan")
     if not (0.0 < width < float("inf") and 0.0 < height < float("inf")):

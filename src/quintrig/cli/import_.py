@@ -128,11 +128,10 @@ def _points(file: Path, face: list[int] | None, curve: int | None, shape: str, r
 
     from quintrig.exchange.faces import pick_curve, to_model
     from quintrig.exchange.imports import CAD_SUFFIXES, contents
-    from quintrig.exchange.nets import polygon
-    from quintrig.model import read_net
+    from quintrig.exchange.nets import polygon, read_points
 
     if file.suffix.lower() not in CAD_SUFFIXES:
-        return np.array(read_net(file), dtype=np.float64)
+        return read_points(file)
     found = contents(file)
     if curve is None:
         net = to_model(found, str(file), face).surface.net

@@ -138,10 +138,12 @@ def deliver(text: str, file: Path | None, *sources: Path | None, force: bool | N
 
 def numbers(text: str, count: int | None, name: str) -> tuple[float, ...]:
     """Read numbers separated by commas; ValueError naming the option, what was expected and what was found."""
-    words = [word.strip() for word in text.split(",")]
+    from quintrig.numerals import real
+
+    words = text.split(",")
     expected = f"{count} numbers" if count else "numbers"
     try:
-        values = tuple(float(word) for word in words)
+        values = tuple(map(real, words))
     except ValueError:
         values = ()
     if not values or (count and len(values) != count):

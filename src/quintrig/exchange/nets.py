@@ -10,12 +10,14 @@ import numpy as np
 from quintrig.arrays import FloatArray, frozen
 from quintrig.basis import Trigonometric
 from quintrig.bspline import normalised
+from quintrig.definition import KINDS
 from quintrig.errors import ModelError, QuintrigError, nearest
 from quintrig.exchange.faces import SpaceCurve
 from quintrig.exchange.formats import suffixes
 from quintrig.exchange.toml import to_toml
 from quintrig.files import write_whole
-from quintrig.model import Model, read_text
+from quintrig.model import Model, in_rows, read_net, read_text
+from quintrig.parsing import parse
 from quintrig.rational import RIGHT_ANGLE
 
 SUFFIXES = suffixes("net", "model")
@@ -71,17 +73,22 @@ def model_from_net(path: Path, keys: dict[str, Any]) -> Model:
     Raises ModelError naming the file for anything else.
     """
     if path.suffix.lower() == ".json":
-        text = read_text(path)
-        try:
-            data = json.loads(text)
-        except RecursionError:
-            raise ModelError(f"{path}: nested too deeply to be a net") from None
-        except ValueError as error:
-            raise ModelError(f"{path}: not valid JSON: {error}") from None
+        data = _from_json(path)
         if isinstance(data, dict):
             return _named(path, cast(dict[str, Any], data) | {k: v for k, v in keys.items() if k != "kind"})
-        return _named(path, keys | {"points": data})
+        return _named(path, keys | {"points": _in_rows(path, data, keys["kind"])})
     return _named(path, keys | {"points": path.name})
+
+
+def read_points(path: Path) -> FloatArray:
+    """Return the points of a CSV file (n, d), or of a JSON file (n, d) or (n, m, d); ModelError naming the file."""
+    data = _from_json(path) if path.suffix.lower() == ".json" else read_net(path)
+    if isinstance(data, dict):
+        raise ModelError(f"{path}: expected a net, as nested lists of numbers, found a whole model")
+    try:
+        return frozen(data, "points", (None, None), (None, None, None))
+    except ValueError as error:
+        raise ModelError(f"{path}: {error}") from None
 
 
 def put_into(model: Model, patch: str | None, key: str, points: FloatArray) -> Model:
@@ -124,6 +131,27 @@ def polygon(curve: SpaceCurve, shape: Sequence[float] = (0.0, 0.0)) -> tuple[Flo
             best = points, gap
     assert best is not None
     return best
+
+
+def _from_json(path: Path) -> Any:
+    text = read_text(path)
+    try:
+        return parse(text, ".json")
+    except ModelError as error:
+        raise ModelError(f"{path}: {error}") from None
+
+
+def _in_rows(path: Path, data: Any, kind: str) -> Any:
+    """Return a net as rows of points; points in one list, as in a CSV, go into rows of as many as the kind has."""
+    points = cast(list[Any], data) if isinstance(data, list) else []
+    flat = points and isinstance(points[0], list) and not any(isinstance(x, list) for x in cast(list[Any], points[0]))
+    counts = KINDS[kind].counts.get("points", ())
+    if not flat or len(counts) != 2:
+        return cast(Any, data)
+    try:
+        return in_rows(points, counts[1], "points")
+    except ValueError as error:
+        raise ModelError(f"{path}: {error}") from None
 
 
 def _curve_points(curve: SpaceCurve, x: FloatArray) -> FloatArray:

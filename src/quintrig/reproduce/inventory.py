@@ -1,12 +1,12 @@
 """The inventory of what is rebuilt: which figure or table, what it shows, from which model."""
 
-import tomllib
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
 from typing import Any, cast
 
 from quintrig.model import Model
+from quintrig.parsing import parse
 
 
 @dataclass(frozen=True)
@@ -60,7 +60,7 @@ def model_text(name: str) -> str:
 @cache
 def model(name: str) -> Model:
     """Return a model of the reproduction by the name of its file."""
-    return Model.from_dict(tomllib.loads(model_text(name)))
+    return Model.from_dict(parse(model_text(name), ".toml"))
 
 
 def inventory_text() -> str:
@@ -91,4 +91,4 @@ def _item(row: dict[str, Any], origin: dict[str, str]) -> Item:
 
 @cache
 def _data() -> dict[str, Any]:
-    return tomllib.loads((files("quintrig.reproduce") / "inventory.toml").read_text(encoding="utf-8"))
+    return parse((files("quintrig.reproduce") / "inventory.toml").read_text(encoding="utf-8"), ".toml")

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from quintrig.csv_rows import guarded
 from quintrig.quantity import BY_KEY
 from quintrig.reproduce.inventory import Item, labelled_points, model
 from quintrig.sample import analyse, grid
@@ -124,5 +125,5 @@ def _data(item: Item) -> Iterator[Rows]:
 
 def _csv(rows: Sequence[Sequence[str]]) -> str:
     text = io.StringIO()
-    csv.writer(text, lineterminator="\n").writerows(rows)
+    csv.writer(text, lineterminator="\n").writerows([guarded(cell) for cell in row] for row in rows)
     return text.getvalue()

@@ -8,7 +8,8 @@ from typing import Any, cast
 
 from quintrig.errors import ModelError, QuintrigError
 from quintrig.files import nets_named, open_regular, write_whole
-from quintrig.model import LARGEST_FILE, Model, parse, read_text
+from quintrig.model import Model, read_text
+from quintrig.parsing import parse
 from quintrig.studio.merge import merged
 
 SUFFIXES = (".toml", ".json")
@@ -48,19 +49,16 @@ def read(folder: Path, name: str) -> tuple[Model, str]:
     path = confined(folder, name)
     # Tag first: what is written between the two is then told as a change, not overwritten.
     tag = tag_of(path) if path.is_file() else ""
-    return _model(name, read_text(path), folder), tag
+    return checked(name, read_text(path), folder), tag
 
 
 def checked(name: str, text: str, folder: Path | None = None) -> Model:
     """Return the model that a file of this name and content would hold; ModelError as on the command line."""
-    if len(text.encode()) > LARGEST_FILE:
-        raise ModelError(f"{name}: expected at most {LARGEST_FILE >> 20} MB, found more; is this a model?")
-    return _model(name, text, folder)
-
-
-def _model(name: str, text: str, folder: Path | None) -> Model:
-    data = parse(name, text)
+    suffix = Path(name).suffix.lower()
+    if suffix not in SUFFIXES:
+        raise ModelError(f"{name}: expected a file ending in .toml or .json")
     try:
+        data = parse(text, suffix)
         if folder is not None and isinstance(data, dict):
             _refuse_way_out(cast(dict[str, Any], data), folder)
         return Model.from_dict(cast(Any, data), folder)

@@ -2,12 +2,12 @@
 
 import json
 import re
-import tomllib
 from pathlib import Path
 from typing import Any
 
 from quintrig.errors import ModelError
 from quintrig.model import Model
+from quintrig.parsing import parse
 
 _KEY = re.compile(r"[ \t]*([A-Za-z0-9_-]+)[ \t]*=[ \t]*")
 _STRING = re.compile(r'"""(?:[^\\]|\\.)*?"""|\'\'\'.*?\'\'\'|"(?:[^"\\\n]|\\.)*"|\'[^\'\n]*\'', re.DOTALL)
@@ -22,9 +22,9 @@ def merged(text: str, model: Model, folder: Path | None = None) -> str:
     if not text or "patch" in wanted:
         return whole(wanted)
     try:
-        data = tomllib.loads(text)
+        data = parse(text, ".toml")
         before = Model.from_dict(data, folder).to_dict()
-    except (ModelError, ValueError):
+    except ModelError:
         return whole(wanted)
     result = text
     for key in sorted(set(before) | set(wanted) | set(data)):
@@ -32,8 +32,8 @@ def merged(text: str, model: Model, folder: Path | None = None) -> str:
             continue
         result = _with_value(result, key, wanted.get(key))
     try:
-        same = Model.from_dict(tomllib.loads(result), folder).to_dict() == wanted
-    except (ModelError, ValueError):
+        same = Model.from_dict(parse(result, ".toml"), folder).to_dict() == wanted
+    except ModelError:
         same = False
     return result if same else whole(wanted)
 

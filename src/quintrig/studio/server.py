@@ -2,7 +2,6 @@
 
 import base64
 import hashlib
-import json
 import os
 import secrets
 import socket
@@ -20,9 +19,9 @@ from starlette.routing import Route
 
 from quintrig.errors import ModelError, QuintrigError
 from quintrig.exchange.formats import FAMILIES
-from quintrig.model import once
+from quintrig.parsing import parse
 from quintrig.studio import exports, folder, page
-from quintrig.studio.guard import App, Guard, TooLarge
+from quintrig.studio.guard import LARGEST_BODY, App, Guard, TooLarge
 from quintrig.studio.patient import Patient
 
 LOOPBACK = "127.0.0.1"
@@ -183,8 +182,8 @@ def _name(request: Request) -> str:
 async def _body(request: Request, *keys: str) -> dict[str, Any]:
     """Return the texts of a JSON body; ValueError where one is missing."""
     try:
-        body: Any = json.loads(await request.body(), object_pairs_hook=once)
-    except (ValueError, RecursionError):
+        body: Any = parse((await request.body()).decode(), ".json", LARGEST_BODY)
+    except ValueError:
         raise ValueError("expected a JSON object") from None
     for key in keys:
         value = body.get(key) if isinstance(body, dict) else None  # pyright: ignore

@@ -11,6 +11,7 @@ from quintrig.basis import SHAPE_RANGE
 from quintrig.definition import Developable, Swung
 from quintrig.errors import nearest
 from quintrig.model import Patch
+from quintrig.numerals import real, whole
 
 Sampling = Literal["grid", "latin", "sobol"]
 SHAPE_NAMES = ("alpha1", "zeta1", "alpha2", "zeta2")
@@ -63,8 +64,8 @@ def parse_axis(text: str) -> Axis:
     if not found or not name or len(parts) not in (1, 2, 3):
         raise ValueError(form)
     try:
-        low, high = float(parts[0]), float(parts[min(1, len(parts) - 1)])
-        count = int(parts[2]) if len(parts) == 3 else 1 if len(parts) == 1 else 11
+        low, high = real(parts[0]), real(parts[min(1, len(parts) - 1)])
+        count = whole(parts[2]) if len(parts) == 3 else 1 if len(parts) == 1 else 11
     except ValueError:
         raise ValueError(form) from None
     return Axis(name, low, high, count)

@@ -15,6 +15,7 @@ from quintrig.classify import Thresholds
 from quintrig.errors import QuintrigError
 from quintrig.files import refuse_unwritable, require, write_first, write_whole
 from quintrig.integrate import orientation
+from quintrig.parsing import parse
 from quintrig.sweep.part import Task, column_unit, columns
 from quintrig.sweep.space import DesignSpace
 
@@ -125,7 +126,7 @@ def _sweep_out(folder: Path) -> None:
 
 def _read(folder: Path) -> dict[str, Any]:
     try:
-        data = json.loads((folder / _DESCRIPTION).read_text())
+        data = parse((folder / _DESCRIPTION).read_text(encoding="utf-8"), ".json")
     except FileNotFoundError:
         raise QuintrigError(f"{folder}: holds no sweep ({_DESCRIPTION} is missing)") from None
     except (OSError, ValueError) as error:

@@ -96,9 +96,11 @@ export class ProbePanel {
     const columns = QUANTITIES.flatMap((q) => Array.from({ length: q.components }, (_, part) => ({ q, part })));
     const name = ({ q, part }: { q: Quantity; part: number }) => (q.components === 1 ? q.key : `${q.key}_${"xyz"[part]!}`);
     const units = columns.map(({ q }) => [q.key, unitText(q, model.unit)] as const).filter(([, unit]) => unit);
+    // What begins so is a formula to a spreadsheet; numbers do not come here.
+    const guarded = (text: string) => text.replaceAll(/(^|[,;])(\s*)(?=[=+\-@])/g, "$1$2'");
     const quoted = (text: string) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
     const lines = [
-      `# ${model.name.replaceAll("\n", " ")}: ${[...new Set(pins.map((pin) => pin.patch))].map((at) => normalOf(model.patches[at]!, model.patches.length > 1)).join(", ")}`,
+      `# ${guarded(model.name.replaceAll("\n", " "))}: ${[...new Set(pins.map((pin) => pin.patch))].map((at) => normalOf(model.patches[at]!, model.patches.length > 1)).join(", ")}`,
       ...(units.length ? [`# Units: ${[...new Map(units)].map(([key, unit]) => `${key} in ${unit}`).join(", ")}`] : []),
       ["patch", "u", "v", ...columns.map(name)].join(","),
       ...pins.map((pin) => {
@@ -107,7 +109,7 @@ export class ProbePanel {
           const value = sample[q.key]![part]!;
           return q.colour === "classes" ? quoted(q.classes[value]!) : Number.isNaN(value) ? "" : String(value);
         };
-        return [quoted(model.patches[pin.patch]!.name), pin.u, pin.v, ...columns.map(cell)].join(",");
+        return [quoted(guarded(model.patches[pin.patch]!.name)), pin.u, pin.v, ...columns.map(cell)].join(",");
       }),
     ];
     download(`${fileName(model.name)}_probe.csv`, `${lines.join("\n")}\n`, "text/csv");
