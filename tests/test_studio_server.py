@@ -194,7 +194,9 @@ def test_exports_are_those_of_the_exchange_package(running):
     from quintrig.exchange.formats import FAMILIES, FORMATS, suffixes
 
     assert {*export.SUFFIXES, *flatten.SUFFIXES} == {*suffixes(*FAMILIES)}
-    offered = [one["suffix"] for one in running.json("GET", "/api/formats")[1]["formats"]]
+    listed = running.json("GET", "/api/formats")[1]["formats"]
+    assert [one["suffix"] for one in listed] == [one.suffix for one in FORMATS if one.family != "model"]
+    offered = [one["suffix"] for one in listed if not one["reason"]]
     assert offered == [one.suffix for one in FORMATS if one.installed and one.family != "model"]
     assert {".stl", ".obj", ".ply", ".glb", ".svg", ".csv"} <= set(offered)
     for suffix in offered:

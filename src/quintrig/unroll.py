@@ -103,9 +103,11 @@ def unroll(
     """Return the flat pattern of a developable surface with straight rulings along u or v.
 
     Its polygons are within ``chord`` (length¹, by default 1e-5 of the size) of the true outline. Raises ValueError for
-    a surface without straight rulings, one that is not developable, with the measured distortion, and one whose edge of
-    regression lies inside the strip, with the parameters between which it does.
+    a single point, a surface without straight rulings, one that is not developable, with the measured distortion, and
+    one whose edge of regression lies inside the strip, with the parameters between which it does.
     """
+    if not surface.size > 0.0:
+        raise ValueError("all of the surface is a single point, which has no flat pattern")
     sheet = sheet or Sheet()
     lines = rulings(surface, sheet.offset)
     size = surface.size

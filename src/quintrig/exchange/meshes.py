@@ -29,12 +29,16 @@ QUANTITIES = ("gaussian", "mean", "k1", "k2", "shape_index", "curvedness")
 
 @dataclass(frozen=True)
 class MeshOptions:
-    """Chordal ``tolerance``, length¹, or a ``grid`` of points along u and v; ``colour`` by a quantity or None."""
+    """Chordal ``tolerance``, length¹, or a ``grid`` of points along u and v; ``colour`` by a quantity or None.
+
+    ``ends`` are the values at the ends of the colour map, without them those of the figures.
+    """
 
     tolerance: float | None = None
     grid: tuple[int, int] | None = None
     colour: str | None = "gaussian"
     quantities: tuple[str, ...] = QUANTITIES
+    ends: tuple[float, float] | None = None
 
     def __post_init__(self) -> None:
         """Check the names once."""
@@ -43,6 +47,11 @@ class MeshOptions:
                 raise ValueError(f"{key} is a vector; choose a quantity with one value at a point, such as gaussian")
         if self.tolerance is not None and self.grid is not None:
             raise ValueError("mesh: expected a tolerance or a grid, found both")
+        if self.tolerance is not None and not 0.0 < self.tolerance < np.inf:
+            raise ValueError(f"tolerance: expected a length greater than 0, found {self.tolerance:g}")
+        if self.ends is not None and not -np.inf < self.ends[0] < self.ends[1] < np.inf:
+            low, high = self.ends
+            raise ValueError(f"colours: expected a lower and a higher value at their ends, found {low:g} and {high:g}")
 
 
 def export_mesh(model: Model, path: Path, options: MeshOptions | None = None) -> tuple[str, ...]:
@@ -61,7 +70,9 @@ def export_mesh(model: Model, path: Path, options: MeshOptions | None = None) ->
     result = _kept(model, suffix, options, keys)
     moved = _moved(result.points, suffix)
     result = replace(result, chord=result.chord + moved)
-    colours, legend = (None, "") if options.colour is None else _colours(result, model, quantity(options.colour))
+    colours, legend = (
+        (None, "") if options.colour is None else _colours(result, model, quantity(options.colour), options.ends)
+    )
     remarks = _remarks(model, result, legend if suffix not in (".stl", ".vtu") else "")
     write_whole(path, _data(suffix, result, colours, remarks, stated(model.unit).millimetres * 1e-3))
     asked = "" if options.grid else f", allowed {_tolerance(options, model):.3g}"
@@ -113,7 +124,7 @@ def _tolerance(options: MeshOptions, model: Model) -> float:
     return options.tolerance or 1e-3 * min(patch.surface.size for patch in model.patches)
 
 
-def _colours(result: Mesh, model: Model, shown: Quantity) -> tuple[FloatArray, str]:
+def _colours(result: Mesh, model: Model, shown: Quantity, ends: tuple[float, float] | None) -> tuple[FloatArray, str]:
     """Return sRGB colours (n, 3) of the points and a line that explains them."""
     from quintrig.figure import palette
 
@@ -122,7 +133,8 @@ def _colours(result: Mesh, model: Model, shown: Quantity) -> tuple[FloatArray, s
     grey = f"; {singular} singular points grey" if singular else ""
     if shown.colour == "classes":
         return palette.class_colours(values, shown.key), f"colours show the {shown.name}{grey}"
-    stretch = palette.limits(np.asarray(values, dtype=np.float64), shown)
+    real = np.asarray(values, dtype=np.float64)
+    stretch = palette.limits(real, shown) if ends is None else palette.between(real, *ends)
     unit = shown.unit(model.unit)
     spread = f"{stretch.low:.4g} to {stretch.high:.4g}{' ' + unit if unit else ''}"
     clipped = f", {100 * stretch.clipped_share:.2g} % of the points beyond" if stretch.clipped_share else ""

@@ -121,6 +121,14 @@ def limits(values: Sequence[FloatArray] | FloatArray, quantity: Quantity, scale:
     return Limits(low, high, float(np.mean(flat < low)), float(np.mean(flat > high)))
 
 
+def between(values: FloatArray, low: float, high: float) -> Limits:
+    """Return limits chosen by hand, with the shares of the finite values that are beyond them."""
+    flat = values[np.isfinite(values)]
+    if not flat.size:
+        return Limits(low, high)
+    return Limits(low, high, float(np.mean(flat < low)), float(np.mean(flat > high)))
+
+
 def real_colours(values: FloatArray, quantity: Quantity, stretch: Limits) -> FloatArray:
     """Return the colours of values, shape (*values.shape, 3); grey where they are not finite."""
     share = (np.clip(values, stretch.low, stretch.high) - stretch.low) / (stretch.high - stretch.low)

@@ -18,7 +18,6 @@ from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
 
 from quintrig.errors import ModelError, QuintrigError
-from quintrig.exchange.formats import FAMILIES
 from quintrig.parsing import parse
 from quintrig.studio import exports, folder, page
 from quintrig.studio.guard import LARGEST_BODY, App, Guard, TooLarge
@@ -98,15 +97,22 @@ def application(where: Site) -> App:
         read = await anyio.to_thread.run_sync(folder.checked, body["name"], body["text"])
         return JSONResponse({"model": read.to_dict()})
 
-    async def formats(_: Request) -> Response:
-        rows = [{"suffix": f.suffix, "label": f.label, "family": FAMILIES[f.family]} for f in exports.formats()]
-        return JSONResponse({"formats": rows})
+    async def formats(request: Request) -> Response:
+        if request.method == "POST":
+            body = await _body(request, "text", "patch")
+            drawn = await anyio.to_thread.run_sync(folder.checked, "model.toml", body["text"])
+            reasons = await anyio.to_thread.run_sync(exports.refusals, drawn, body["patch"] or None)
+        else:
+            reasons = exports.refusals()
+        return JSONResponse({"formats": exports.rows(reasons)})
 
     async def export(request: Request) -> Response:
         body = await _body(request, "text", "suffix", "patch", "colour")
+        order = exports.Order(
+            body["suffix"], body["patch"] or None, body["colour"] or None, _ends(body), _number(body, "tolerance")
+        )
         drawn = await anyio.to_thread.run_sync(folder.checked, "model.toml", body["text"])
-        chosen = (body["suffix"], body["patch"] or None, body["colour"] or None)
-        made = await anyio.to_thread.run_sync(exports.export, drawn, *chosen)
+        made = await anyio.to_thread.run_sync(exports.export, drawn, order)
         content = base64.b64encode(made.content).decode()
         return JSONResponse({"name": made.name, "notes": made.notes, "content": content})
 
@@ -128,7 +134,7 @@ def application(where: Site) -> App:
         Route("/api/files/{name:path}", load, methods=["GET"]),
         Route("/api/files/{name:path}", save, methods=["PUT"]),
         Route("/api/check", check, methods=["POST"]),
-        Route("/api/formats", formats),
+        Route("/api/formats", formats, methods=["GET", "POST"]),
         Route("/api/export", export, methods=["POST"]),
     ]
     inner = Starlette(
@@ -192,6 +198,22 @@ async def _body(request: Request, *keys: str) -> dict[str, Any]:
         if isinstance(value, str) and any("\ud800" <= letter <= "\udfff" for letter in value):
             raise ValueError(f"{key}: expected a text, found half a letter in it (a lone surrogate)")
     return cast(dict[str, Any], body)
+
+
+def _number(body: dict[str, Any], key: str) -> float | None:
+    """Return a number of a JSON body, or None where it is left out."""
+    value = body.get(key)
+    if value is not None and (isinstance(value, bool) or not isinstance(value, int | float)):
+        raise ValueError(f"{key}: expected a number")
+    try:
+        return None if value is None else float(value)
+    except OverflowError:
+        raise ValueError(f"{key}: expected a number, found one with hundreds of digits") from None
+
+
+def _ends(body: dict[str, Any]) -> tuple[float, float] | None:
+    low, high = _number(body, "low"), _number(body, "high")
+    return None if low is None or high is None else (low, high)
 
 
 def _free(host: str, port: int) -> bool:

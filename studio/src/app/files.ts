@@ -3,9 +3,11 @@
 import type { Model } from "../numerics/model";
 import { toDict } from "../numerics/model";
 import { toToml } from "../toml";
+import { QUANTITY, unitOf } from "../numerics/quantity";
 import type { Item } from "../ui/controls";
-import { ask, askName, askPicture, type PictureChoice } from "../ui/dialogs";
+import { ask, askName, askPicture, askTolerance, type PictureChoice } from "../ui/dialogs";
 import { download, fileName, h } from "../ui/dom";
+import { short } from "../ui/format";
 import { Conflict, type Format, type Host } from "./host";
 import { activePatch, type Store } from "./state";
 
@@ -14,21 +16,37 @@ const LARGEST = 16 * 2 ** 20;
 export class Files {
   private known: readonly string[] = [];
   private formats: readonly Format[] = [];
+  /** The model and patch that the formats were asked for. */
+  private asked = "";
 
   constructor(
     private readonly store: Store, private readonly host: Host, private readonly root: () => HTMLElement,
     private readonly draw: (choice: PictureChoice) => Promise<HTMLCanvasElement>, private readonly size: () => readonly [number, number],
+    private readonly ends: () => readonly [number, number] | null,
   ) {
     void this.look();
   }
 
-  /** Ask the server what there is to open and to export to. */
+  /** Ask the server what there is to open. */
   async look(): Promise<void> {
     try {
-      [this.known, this.formats] = await Promise.all([this.host.list(), this.host.formats()]);
+      this.known = await this.host.list();
     } catch {
       this.known = [];
     }
+  }
+
+  /** Ask the server what the model can be exported to; whether that is news. */
+  async lookAtFormats(): Promise<boolean> {
+    const { state } = this.store, patch = activePatch(state).name, wanted = `${patch}\n${toToml(state.model)}`;
+    if (wanted === this.asked) return false;
+    this.asked = wanted;
+    try {
+      this.formats = await this.host.formats(state.model, patch);
+    } catch {
+      this.asked = "";
+    }
+    return true;
   }
 
   openItems(): (Item | string)[] {
@@ -48,18 +66,22 @@ export class Files {
 
   exportItems(): (Item | string)[] {
     if (this.host.kind !== "live") return [{ label: "Exports need the live studio", hint: "quintrig view MODEL", disabled: true, act: () => {} }];
-    if (!this.formats.length) return [{ label: "No exporter is installed", hint: "pip install 'quintrig[cad]'", disabled: true, act: () => {} }];
+    if (!this.formats.length) return [{ label: "Asking what this model can be written as …", disabled: true, act: () => {} }];
     const families = [...new Set(this.formats.map((format) => format.family))];
     return families.flatMap((family) => [family, ...this.formats.filter((format) => format.family === family).map((format) => ({
-      label: format.label, hint: format.suffix, act: () => void this.guard(() => this.export(format)),
+      label: format.label, hint: format.suffix, ...(format.reason ? { disabled: true, reason: format.reason } : {}), act: () => void this.guard(() => this.export(format)),
     }))]);
   }
 
   /** Let the server write a file of the model as it is now, and tell what it tells. */
   private async export(format: Format): Promise<void> {
-    const { model, settings } = this.store.state;
+    const { model, settings } = this.store.state, patch = activePatch(this.store.state).name, ends = this.ends();
+    const q = QUANTITY[settings.quantity];
+    const coloured = q ? `${q.name}${ends ? `, ${short(ends[0])} to ${short(ends[1])} ${unitOf(q, model.unit)}` : ""}`.trim() : "none";
+    const answer = format.takes ? await askTolerance(this.root(), format.label, model.unit, format.takes === "tolerance" ? "" : coloured) : { tolerance: null };
+    if (!answer) return;
     this.store.set({ message: { kind: "note", text: `Writing ${format.label} …`, lines: [] } });
-    const order = { model, patch: activePatch(this.store.state).name, colour: settings.quantity === "none" ? "" : settings.quantity };
+    const order = { model, patch, colour: q ? settings.quantity : "", low: ends?.[0] ?? null, high: ends?.[1] ?? null, ...answer };
     const { name, notes } = await this.host.export(order, format);
     this.store.set({ message: { kind: "note", text: `Exported ${name}`, lines: notes } });
   }

@@ -11,13 +11,21 @@ export interface Format {
   readonly suffix: string;
   readonly label: string;
   readonly family: string;
+  /** Why it cannot be written here or of this model; empty where it can. */
+  readonly reason: string;
+  /** What can be said of it before: tolerance, and colours too for a mesh. */
+  readonly takes: "" | "tolerance" | "tolerance and colours";
 }
 
-/** What an export is of: a flat pattern is of one patch, a mesh is coloured by a quantity. */
+/** What an export is of: a flat pattern is of one patch, a mesh is coloured by a quantity between the ends of its map. */
 export interface Order {
   readonly model: Model;
   readonly patch: string;
   readonly colour: string;
+  readonly low: number | null;
+  readonly high: number | null;
+  /** Length¹; null for the usual one. */
+  readonly tolerance: number | null;
 }
 
 /** The file that was handed over, and what to tell about it. */
@@ -45,7 +53,7 @@ export interface Host {
   read(name: string, text: string): Promise<Model>;
   /** Save under a name; null where saving is a download. Conflict when the file on disk is another than was read. */
   save(name: string, model: Model, tag: string | null): Promise<Source | null>;
-  formats(): Promise<readonly Format[]>;
+  formats(model: Model, patch: string): Promise<readonly Format[]>;
   export(order: Order, format: Format): Promise<Delivered>;
 }
 
@@ -102,12 +110,12 @@ export class LiveHost implements Host {
     return (await this.ask("PUT", `api/files/${encodeURIComponent(name)}`, body)) as Source;
   }
 
-  async formats(): Promise<readonly Format[]> {
-    return ((await this.ask("GET", "api/formats")) as { formats: Format[] }).formats;
+  async formats(model: Model, patch: string): Promise<readonly Format[]> {
+    return ((await this.ask("POST", "api/formats", JSON.stringify({ text: toToml(model), patch }))) as { formats: Format[] }).formats;
   }
 
-  async export({ model, patch, colour }: Order, { suffix }: Format): Promise<Delivered> {
-    const body = JSON.stringify({ text: toToml(model), suffix, patch, colour });
+  async export({ model, ...order }: Order, { suffix }: Format): Promise<Delivered> {
+    const body = JSON.stringify({ text: toToml(model), suffix, ...order });
     const { name, notes, content } = (await this.ask("POST", "api/export", body)) as Delivered & { content: string };
     download(name, new Blob([Uint8Array.from(atob(content), (letter) => letter.charCodeAt(0))]));
     return { name, notes };

@@ -77,7 +77,7 @@ export class Studio {
     const { store } = this;
     this.stage = new Stage(this.canvas);
     this.painter = new Painter(this.stage, (message) => this.status.warn(message));
-    this.files = new Files(store, host, () => this.root, (choice) => this.picture(choice), () => [this.centre.clientWidth, this.centre.clientHeight]);
+    this.files = new Files(store, host, () => this.root, (choice) => this.picture(choice), () => [this.centre.clientWidth, this.centre.clientHeight], () => this.range && [this.range.low, this.range.high]);
     this.bar = new TopBar(store, this.files, () => this.switchTheme(), () => void showHelp(this.root), () => this.root.classList.toggle("with-left"), host.kind !== "live");
     this.model = new ModelPanel(store);
     this.inspector = new Inspector(store);

@@ -195,11 +195,13 @@ export interface Item {
   readonly label: Child;
   readonly hint?: string;
   readonly disabled?: boolean;
+  /** Why it is disabled. */
+  readonly reason?: string;
   act(): void;
 }
 
-/** A button that opens a list of commands. `items` is asked each time it opens. */
-export function menu(label: Child, title: string, items: () => readonly (Item | string)[], name = "button"): HTMLElement {
+/** A button that opens a list of commands. `items` is asked each time it opens, and again where `news` then says that it has some. */
+export function menu(label: Child, title: string, items: () => readonly (Item | string)[], name = "button", news?: () => Promise<boolean>): HTMLElement {
   const list = h("div", { class: "menu", role: "menu", "aria-label": title, hidden: true });
   const opener = h("button", { type: "button", class: name, title, "aria-label": title, "aria-haspopup": "menu", "aria-expanded": "false" }, label);
   const box = h("div", { class: "menu-box" }, opener, list);
@@ -208,11 +210,12 @@ export function menu(label: Child, title: string, items: () => readonly (Item | 
     opener.setAttribute("aria-expanded", "false");
     if (refocus) opener.focus();
   };
-  const open = () => {
+  const fill = () => {
     list.replaceChildren(
       ...items().map((item) => {
-        if (typeof item === "string") return h("div", { class: "menu-title" }, item);
-        const entry = h("button", { type: "button", role: "menuitem", class: "menu-item", disabled: item.disabled ?? false }, h("span", {}, item.label), item.hint ? h("small", {}, item.hint) : null);
+        if (typeof item === "string") return h("div", { class: "menu-title", role: "presentation" }, item);
+        const why = item.reason ? h("small", { class: "reason" }, item.reason.split(/[:;]\s/)[0]!) : item.hint ? h("small", {}, item.hint) : null;
+        const entry = h("button", { type: "button", role: "menuitem", class: "menu-item", title: item.reason ?? "", disabled: item.disabled ?? false }, h("span", {}, item.label), why);
         entry.addEventListener("click", () => {
           close(true);
           item.act();
@@ -220,8 +223,18 @@ export function menu(label: Child, title: string, items: () => readonly (Item | 
         return entry;
       }),
     );
+  };
+  const open = () => {
     list.hidden = false;
     opener.setAttribute("aria-expanded", "true");
+    fill();
+    void news?.().then((some) => {
+      if (!some || list.hidden) return;
+      const at = [...list.children].indexOf(list.querySelector(":focus")!);
+      opener.focus(); // what is replaced cannot keep the focus
+      fill();
+      (list.children[at] as HTMLElement | undefined)?.focus();
+    });
     const right = list.getBoundingClientRect().right;
     const bound = box.closest(".studio")!.getBoundingClientRect().right;
     list.classList.toggle("to-left", right > bound - 8);

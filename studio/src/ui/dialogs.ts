@@ -41,6 +41,24 @@ export async function askName(root: HTMLElement, title: string, name: string): P
   return answer === "save" ? field.value.trim() : null;
 }
 
+/** Ask for the tolerance of a file; `colours` says those of a mesh. Without a number, the usual one is taken. */
+export async function askTolerance(root: HTMLElement, format: string, unit: string, colours: string): Promise<{ tolerance: number | null } | null> {
+  const field = h("input", { type: "number", class: "number", min: 0, step: "any", placeholder: "usual", "aria-label": `Tolerance${unit ? ` in ${unit}` : ""}` });
+  const body = [
+    h("label", { class: "field wide" }, h("span", {}, `Tolerance${unit ? ` (${unit})` : ""}`), field),
+    h("p", { class: "hint" }, "How far the file may be from the surface. Left empty: a mesh keeps to a thousandth of its size, a flat pattern to what a cutter can do."),
+    ...(colours ? [h("p", { class: "hint" }, `Colours as shown: ${colours}, where the format has colours.`)] : []),
+  ];
+  for (;;) {
+    const answer = await ask(root, `Export ${format}`, body, [["export", "Export"], ["cancel", "Cancel"]]);
+    if (answer !== "export") return null;
+    if (!field.value && field.validity.valid) return { tolerance: null };
+    const tolerance = Number(field.value);
+    if (field.validity.valid && tolerance > 0 && tolerance < Infinity) return { tolerance };
+    if (!body.some((one) => one.classList.contains("error"))) body.push(h("p", { class: "hint error", role: "alert" }, "Expected a length greater than 0, or nothing."));
+  }
+}
+
 export interface PictureChoice {
   readonly width: number;
   readonly height: number;

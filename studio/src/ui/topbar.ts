@@ -54,7 +54,7 @@ export class TopBar {
       h("span", { class: "spacer" }),
       h("div", { class: "group tight last" },
         button(icon(ICONS.picture), "Save a picture", () => void files.picture(), "button square"),
-        menu(icon(ICONS.export), "Export", () => files.exportItems(), "button square"),
+        menu(icon(ICONS.export), "Export", () => files.exportItems(), "button square", () => files.lookAtFormats()),
         button(icon(ICONS.sun), "Light or dark", theme, "button square theme"),
         button(icon(ICONS.help), "Keys and pointer (?)", help, "button square")));
   }
