@@ -75,7 +75,7 @@ export async function askPicture(root: HTMLElement, width: number, height: numbe
     down.value = String(t);
   };
   const presets = h("div", { class: "chips" },
-    button("1920 × 1080", "1920 by 1080", () => set(1920, 1080), "chip"), button("3840 × 2160", "3840 by 2160", () => set(3840, 2160), "chip"), button("2000 × 2000", "2000 by 2000", () => set(2000, 2000), "chip"));
+    button("1920 × 1080", "1920 × 1080", () => set(1920, 1080), "chip"), button("3840 × 2160", "3840 × 2160", () => set(3840, 2160), "chip"), button("2000 × 2000", "2000 × 2000", () => set(2000, 2000), "chip"));
   const background = h("select", { "aria-label": "Background" }, h("option", { value: "theme" }, "As shown"), h("option", { value: "white" }, "White"), h("option", { value: "none" }, "Transparent"));
   let legend = true;
   const withLegend = toggle("With legend", (on) => (legend = on));

@@ -109,7 +109,7 @@ export class ModelPanel {
     tabs.update(this.tab);
     const shown = this.list.filter((handle) => handle.key === this.tab);
     const columns = Math.max(...shown.map((handle) => handle.index.at(-1)!)) + 1;
-    const grid = h("div", { class: "net", role: "grid", "aria-label": `${capital(this.tab)}: choose one` },
+    const grid = h("div", { class: "net", role: "group", "aria-label": `${capital(this.tab)}: choose one` },
       ...shown.map((handle, at) => h("button", {
         type: "button", class: "knob", title: handle.label, "aria-label": handle.label, "aria-pressed": handle === chosen,
         tabindex: handle === chosen || (!chosen && at === 0) ? 0 : -1,

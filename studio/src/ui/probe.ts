@@ -47,7 +47,7 @@ export class ProbePanel {
       u.element, v.element, button("Pin", "Pin the point at these parameters", () => this.add()),
       more.element, h("span", { class: "spacer" }),
       button("CSV", "Save the table as CSV", () => this.save()),
-      button("Clear", "Remove all pins", () => store.set({ pins: [] })));
+      button("Clear", "Clear: remove all pins", () => store.set({ pins: [] })));
     this.element = h("details", { class: "probe" }, h("summary", {}, icon(ICONS.pin), "Probe", this.count, h("span", { class: "hint" }, "click the surface to pin a point")), tools, this.body);
     this.element.addEventListener("toggle", () => this.unfolded());
     store.subscribe((now, before) => {

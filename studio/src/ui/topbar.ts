@@ -46,7 +46,7 @@ export class TopBar {
       button(icon(ICONS.side), "Construction and control points", panel, "button square drawer"),
       this.name, this.dirty,
       h("div", { class: "group" },
-        menu(h("span", {}, "Models", icon(ICONS.down)), "Presets and starters", models),
+        menu(h("span", {}, "Models", icon(ICONS.down)), "Models: presets and starters", models),
         menu(h("span", {}, icon(ICONS.open), h("span", { class: "word" }, "Open"), icon(ICONS.down)), "Open a model", () => files.openItems()),
         menu(h("span", {}, icon(ICONS.save), h("span", { class: "word" }, "Save"), icon(ICONS.down)), "Save the model", () => files.saveItems())),
       h("div", { class: "group tight" }, this.undo, this.redo),
