@@ -119,10 +119,9 @@ def test_dialogs(page, name):
     assert "\n".join(findings(page)) == ""
 
 
-@pytest.mark.parametrize(
-    "message", [{"kind": "error", "text": "It is wrong"}, {"kind": "note", "text": "Exported", "lines": ["one"]}]
-)
-def test_messages(page, message):
+@pytest.mark.parametrize("kind", ["error", "note"])
+def test_messages(page, kind):
+    message = {"kind": kind, "text": "It is told", "lines": ["one", "two"]}
     page.evaluate("(message) => document.querySelector('[data-quintrig]').studio.store.set({ message })", message)
     page.get_by_text("It is told").wait_for()
     assert "\n".join(findings(page)) == ""
