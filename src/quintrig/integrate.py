@@ -1,6 +1,7 @@
 """Integrals over a surface, each with its measured error: area, total curvatures, bending and thin-plate energy.
 
-The domain is cut into p x p panels with 16 x 16 Gauss-Legendre nodes each, and p is doubled until two results agree.
+The domain is cut at the knots, and each part into p x p panels with 16 x 16 Gauss-Legendre nodes each, fewer where
+there are many parts; p is doubled until two results agree.
 The error stated is their difference, which is that of the coarser one, so the value is better than it says. Nodes never
 lie on an edge, so an integrand that stays bounded there (the pole of a sphere, the apex of a cone for ∫H dA) does no
 harm. One that does not (κ² at an apex, at an edge with α = -4, at an edge of regression) makes the results grow with
@@ -18,7 +19,17 @@ from quintrig.beside import CURVATURES, limits
 from quintrig.envelope import inner_regression
 from quintrig.layers import Layers, find_layers
 from quintrig.noise import NOISE
-from quintrig.quadrature import NODES, Integral, Status, checked_tolerance, converge, graded, panel_sums
+from quintrig.quadrature import (
+    MOST_NODES,
+    Integral,
+    Panels,
+    Status,
+    checked_tolerance,
+    converge,
+    graded,
+    nodes_for,
+    panel_sums,
+)
 from quintrig.quantity import BY_KEY, Quantity, quantity
 from quintrig.sample import SINGULAR, Sample, analyse, grid
 from quintrig.surface import Surface
@@ -166,7 +177,7 @@ def integrals(surface: Surface, tolerance: float = 1e-9, panels: int = 64) -> In
 
     def measure(count: int) -> tuple[FloatArray, FloatArray, FloatArray]:
         area, total, mean, bending, plate, curvedness, undefined = panel_sums(
-            lambda u, v: _densities(surface, u, v), *_panels(count, layers)
+            lambda u, v: _densities(surface, u, v), _panels(surface, count, layers)
         )
         plane = NOISE / size * area if size > 0.0 else 0.0  # ∫C dA that is rounding of a plane
         root = curvedness**2 / area if area > 0.0 else 0.0
@@ -175,7 +186,7 @@ def integrals(surface: Surface, tolerance: float = 1e-9, panels: int = 64) -> In
         noise = np.array([NOISE * size**2, bent, plane, bent, (NOISE * size) ** 2, 1.0])
         return np.array([area, total, mean, bending, plate, undefined]), scales, noise + rounding
 
-    results, count = converge(measure, tolerance, panels)
+    results, count = converge(measure, tolerance, _most(surface, panels, layers))
     units = size / float(np.spacing(reach)) if reach > 0.0 else 0.0
     undefined = 1.0 if units <= _POINT else min(results[5].value, 1.0)
     if undefined > 1.0 - 1e-9:
@@ -186,8 +197,7 @@ def integrals(surface: Surface, tolerance: float = 1e-9, panels: int = 64) -> In
     bending = replace(bending, status=_energy_status(surface, bending.status))
     # The others are areas and angles, of the Gauss image too: finite even where curvature has no bound.
     area, total, mean, plate = (_bounded(result) for result in (area, total, mean, plate))
-    nu, nv = (len(ends) - 1 for ends in _panels(count, layers))
-    points = NODES**2 * nu * nv
+    points = _panels(surface, count, layers).points
     return Integrals(area, total, mean, bending, plate, tolerance, points, undefined, units, orientation(surface))
 
 
@@ -204,7 +214,7 @@ def area_means(surface: Surface, keys: Sequence[str], tolerance: float = 1e-5, p
     layers = find_layers(surface)
 
     def measure(count: int) -> tuple[FloatArray, FloatArray, FloatArray]:
-        sums = panel_sums(lambda u, v: _moments(surface, keys, u, v), *_panels(count, layers))
+        sums = panel_sums(lambda u, v: _moments(surface, keys, u, v), _panels(surface, count, layers))
         n = len(keys)
         with np.errstate(divide="ignore", invalid="ignore"):
             means, sizes, curved = (
@@ -217,7 +227,7 @@ def area_means(surface: Surface, keys: Sequence[str], tolerance: float = 1e-5, p
         loose = 1e-2 * sizes + rounding  # the mean of |q| need only exist
         return np.append(means, sizes), np.append(np.fmax(sizes, natural), sizes), np.append(rounding, loose)
 
-    results, _ = converge(measure, tolerance, panels)
+    results, _ = converge(measure, tolerance, _most(surface, panels, layers))
     pairs = zip(results[: len(keys)], results[len(keys) :], strict=True)
     # Where ∫|q| dA is infinite, halves of opposite sign may still cancel by symmetry: that is no mean.
     means = [mean if size.converged else replace(mean, status=size.status) for mean, size in pairs]
@@ -258,9 +268,18 @@ def _bounded(found: Integral) -> Integral:
     return replace(found, status="not converged") if found.status == "grows without bound" else found
 
 
-def _panels(count: int, layers: Layers) -> tuple[FloatArray, FloatArray]:
-    """Return the ends of the panels in u and v, ``count`` a side and more where there are layers."""
-    return graded(count, *layers[:2]), graded(count, *layers[2:])
+def _panels(surface: Surface, count: int, layers: Layers) -> Panels:
+    """Return the panels, ``count`` a side between two knots, and more where there are layers."""
+    u, v = (surface.breaks(axis) for axis in range(2))
+    nodes = nodes_for(max(len(u), len(v)) - 1)
+    return Panels(graded(count, *layers[:2], u), graded(count, *layers[2:], v), nodes)
+
+
+def _most(surface: Surface, panels: int, layers: Layers) -> int:
+    """Return the largest number of panels a side between two knots, at most ``panels``, that takes a few seconds."""
+    while panels > 2 and _panels(surface, panels, layers).points > MOST_NODES:
+        panels //= 2
+    return panels
 
 
 def _densities(surface: Surface, u: FloatArray, v: FloatArray) -> FloatArray:

@@ -1,6 +1,7 @@
 """Integration over the domain [0, 1]² by Gauss-Legendre panels that are doubled until two results agree.
 
-Panels next to an edge are graded: each a quarter of the one before, down to the width of the layer there in which the
+Panels never reach over a knot, where derivatives may jump. Those next to an edge are graded: each a quarter of the one
+before, down to the width of the layer there in which the
 integrand changes (``layers`` measures it). Doubling shifts the graded panels too, so that their error is seen as well.
 The error stated is the difference of the last two results, which is that of the coarser one, so the value is better
 than it says.
@@ -8,6 +9,7 @@ than it says.
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Literal
 
 import numpy as np
@@ -17,7 +19,11 @@ from quintrig.arrays import BoolArray, FloatArray, number
 Status = Literal["converged", "not converged", "grows without bound", "undefined"]
 
 NODES = 16
+MOST_NODES = NODES**2 * 64**2
+"""Nodes of the last resolution: a few seconds of work."""
+
 _GRADING = 0.25  # 16 nodes see a pole at the near end of such a panel's neighbour to 1e-15
+_WHOLE: FloatArray = np.array([0.0, 1.0])
 _ROWS = 64  # rows of nodes evaluated at once, so that memory stays small
 
 Density = Callable[[FloatArray, FloatArray], FloatArray]
@@ -51,11 +57,20 @@ def checked_tolerance(value: float) -> float:
     return value
 
 
-def graded(panels: int, first: float, last: float) -> FloatArray:
-    """Return the ends of ``panels`` equal panels of [0, 1], those at its ends graded to layers of these widths."""
-    start, end = _grades(panels, first), _grades(panels, last)
-    inner = np.linspace(0.0, 1.0, panels + 1)
+def graded(panels: int, first: float, last: float, breaks: FloatArray = _WHOLE) -> FloatArray:
+    """Return the ends of panels of [0, 1], those at its ends graded to layers of these widths.
+
+    Each part between two ``breaks``, where the integrand is not smooth, has ``panels`` equal ones.
+    """
+    start, end = _grades(panels, first) * breaks[1], _grades(panels, last) * (1.0 - breaks[-2])
+    pieces: list[FloatArray] = [np.linspace(a, b, panels + 1)[1:] for a, b in pairwise(breaks)]
+    inner = np.concatenate([breaks[:1], *pieces])
     return np.concatenate([inner[:1], start, inner[1:-1], 1.0 - end[::-1], inner[-1:]])
+
+
+def nodes_for(parts: int) -> int:
+    """Return how many nodes a panel has where the domain has so many ``parts`` a side: fewer where parts are many."""
+    return NODES if parts <= 8 else NODES // 2 if parts <= 64 else NODES // 4
 
 
 def _grades(panels: int, layer: float) -> FloatArray:
@@ -67,16 +82,30 @@ def _grades(panels: int, layer: float) -> FloatArray:
     return _GRADING ** np.arange(count, 0, -1) / panels
 
 
-def panel_sums(density: Density, u: FloatArray, v: FloatArray) -> FloatArray:
-    """Return the integrals (k,) with 16 x 16 Gauss-Legendre nodes on each panel, whose ends are u and v."""
-    (s, a), (t, w) = _nodes(u), _nodes(v)
+@dataclass(frozen=True, eq=False)
+class Panels:
+    """The ends of panels in u and in v, and the number of Gauss-Legendre nodes a side on each panel."""
+
+    u: FloatArray
+    v: FloatArray
+    nodes: int = NODES
+
+    @property
+    def points(self) -> int:
+        """Number of nodes in all."""
+        return self.nodes**2 * (len(self.u) - 1) * (len(self.v) - 1)
+
+
+def panel_sums(density: Density, panels: Panels) -> FloatArray:
+    """Return the integrals (k,) by the nodes of all panels."""
+    (s, a), (t, w) = gauss(panels.u, panels.nodes), gauss(panels.v, panels.nodes)
     parts = [slice(start, start + _ROWS) for start in range(0, len(s), _ROWS)]
     return np.sum([(density(s[part, None], t[None, :]) @ w) @ a[part] for part in parts], axis=0)
 
 
-def _nodes(ends: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return the nodes and weights on all panels."""
-    nodes, weights = np.polynomial.legendre.leggauss(NODES)
+def gauss(ends: FloatArray, count: int = NODES) -> tuple[FloatArray, FloatArray]:
+    """Return the Gauss-Legendre nodes and weights, ``count`` on each panel between two ``ends``."""
+    nodes, weights = np.polynomial.legendre.leggauss(count)
     half = 0.5 * np.diff(ends)
     return (ends[:-1, None] + half[:, None] * (nodes + 1.0)).reshape(-1), (half[:, None] * weights).reshape(-1)
 

@@ -126,6 +126,11 @@ class Surface:
         """Return the interactive view that a notebook shows; only the text where the extra ``jupyter`` is missing."""
         return import_module("quintrig.studio.notebook").bundle(self)
 
+    def breaks(self, axis: int) -> FloatArray:
+        """Return the parameters from 0 to 1 in u (``axis`` 0) or v (1) between two of which the surface is smooth."""
+        functions = self.blend if axis else getattr(self.rows, "functions", None)
+        return getattr(functions, "breaks", np.array([0.0, 1.0]))
+
     @property
     def rational(self) -> bool:
         """Whether the rows are homogeneous, so that points are quotients."""

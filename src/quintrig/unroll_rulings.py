@@ -6,9 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from quintrig.arrays import BoolArray, FloatArray
-from quintrig.bspline import BSpline
 from quintrig.rounding import rounding
-from quintrig.surface import Net, Surface
+from quintrig.surface import Surface
 
 _STRAIGHT = 1e-10
 """Points of a ruling may be this far off its line, relative to the surface's size and beside rounding."""
@@ -150,10 +149,7 @@ def _swept(slope: FloatArray, ruling: FloatArray) -> FloatArray:
 
 
 def _breaks(surface: Surface, along: str) -> FloatArray:
-    functions = surface.blend
-    if along == "u":
-        functions = surface.rows.functions if isinstance(surface.rows, Net) else None
-    return functions.breaks if isinstance(functions, BSpline) else np.array([0.0, 1.0])
+    return surface.breaks("uv".index(along))
 
 
 def _refuse_regression(strip: Rulings, t: FloatArray) -> None:

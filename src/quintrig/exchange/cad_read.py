@@ -1,6 +1,7 @@
 """STEP, IGES and BREP files through OpenCASCADE: faces as NURBS with names, units and trim loops, and free curves."""
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Collection
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,7 @@ from quintrig.exchange.units import ASSUMED, UNITS, named
 from quintrig.nurbs import nurbs
 
 _MOST_FACES = 100_000
+_ROUNDING = 1e-9  # of a carrier's period or extent: nearer to its bounds, a face ends there
 _MOST_NAMED = 2_000  # matching names to faces takes the square of their number
 _EXACT_KINDS = {
     "BSplineSurface": "B-spline",
@@ -29,13 +31,18 @@ _EXACT_KINDS = {
 }
 
 
-def read_cad(path: Path) -> Contents:
+def read_cad(
+    path: Path, skip: Collection[int] = (), plain: bool = False, begin: Callable[[int], None] = lambda _: None
+) -> Contents:
     """Return the faces and free curves of a STEP, IGES or BREP file.
 
+    ``begin`` is told the number of each face before it is read; faces of the numbers ``skip``, on which an earlier try
+    broke down, are not. ``plain`` leaves out names and assembly, whose reader breaks down on some STEP files.
     QuintrigError for a file that is none. A hostile file may crash OpenCASCADE: ``isolated`` reads in a process of its
     own.
     """
-    readers = {".step": _step, ".stp": _step, ".iges": _iges, ".igs": _iges, ".brep": _brep}
+    step = _plain_step if plain else _step
+    readers = {".step": step, ".stp": step, ".iges": _iges, ".igs": _iges, ".brep": _brep}
     with quiet():
         shapes, unit, notes = readers[path.suffix.lower()](path)
         faces: list[Face] = []
@@ -44,7 +51,12 @@ def read_cad(path: Path) -> Contents:
             for shape_face in explored(shape, "FACE"):
                 if len(faces) == _MOST_FACES:
                     raise QuintrigError(f"{path}: expected at most {_MOST_FACES} faces; split the file")
-                faces.append(_face(len(faces) + 1, label_of(shape_face), down_to("Face", shape_face)))
+                number = len(faces) + 1
+                begin(number)
+                if number in skip:
+                    faces.append(Face(number, f"face {number}", "unknown", {}, "OpenCASCADE breaks down on it"))
+                else:
+                    faces.append(_face(number, label_of(shape_face), down_to("Face", shape_face)))
             for shape_edge in _free_edges(shape):
                 curve = _curve(len(curves) + 1, label_of(shape_edge) or name, down_to("Edge", shape_edge))
                 curves += [curve] if curve else []
@@ -74,6 +86,17 @@ def _step(path: Path) -> tuple[list[Any], str, list[str]]:
     unit = unit or ASSUMED
     inner.SetSystemLengthUnit(UNITS[unit].millimetres)
     return _transferred(reader, unit, path), unit, notes
+
+
+def _plain_step(path: Path) -> tuple[list[Any], str, list[str]]:
+    """Return the shapes alone, in millimetres, by the reader that looks at no names, colours or assembly."""
+    reader = module("STEPControl").STEPControl_Reader()
+    _read_file(reader, path, "a STEP")
+    reader.TransferRoots()
+    shape = reader.OneShape()
+    if shape.IsNull():
+        raise QuintrigError(f"{path}: OpenCASCADE finds no shape in it; export the faces as NURBS")
+    return [("", shape, _nameless)], ASSUMED, ["names could not be read: OpenCASCADE breaks down on them"]
 
 
 def _iges(path: Path) -> tuple[list[Any], str, list[str]]:
@@ -160,7 +183,8 @@ def _transferred(reader: Any, unit: str, path: Path) -> list[Any]:
 def _name(label: Any) -> str:
     names = module("TDataStd").TDataStd_Name
     found = names()
-    if not label.FindAttribute(names.GetID_s(), found):
+    # OpenCASCADE's binding crashes where it looks for an attribute that the label has not.
+    if not label.IsAttribute(names.GetID_s()) or not label.FindAttribute(names.GetID_s(), found):
         return ""
     return str(found.Get().ToExtString())
 
@@ -214,9 +238,34 @@ def _as_spline(face: Any, carrier: Any, kind: str) -> tuple[Any, tuple[float, fl
         box = carrier.Bounds()
         spline = carrier.Copy() if kind == "BSplineSurface" else _converted(carrier)
         return spline, box
-    box = module("BRepTools").BRepTools.UVBounds_s(face)
+    box = _inside(carrier, module("BRepTools").BRepTools.UVBounds_s(face))
     trimmed = module("Geom").Geom_RectangularTrimmedSurface(carrier, *box)
     return _converted(trimmed), box
+
+
+def _inside(carrier: Any, box: tuple[float, float, float, float]) -> tuple[float, float, float, float]:
+    """Return the domain of a face without what rounding put outside its carrier's, or beyond a full turn."""
+    u0, u1, v0, v1 = carrier.Bounds()
+    around = (bool(carrier.IsUPeriodic()), bool(carrier.IsVPeriodic()))
+    first = _interval((box[0], box[1]), (u0, u1), around[0])
+    second = _interval((box[2], box[3]), (v0, v1), around[1])
+    return (*first, *second)
+
+
+def _interval(part: tuple[float, float], whole: tuple[float, float], periodic: bool) -> tuple[float, float]:
+    """Return ``part`` inside ``whole``; on a periodic carrier it may start elsewhere, but turns once at most."""
+    (low, high), (start, end) = part, whole
+    near = _ROUNDING * (end - start)
+    if periodic and high - low >= end - start - near and abs(low - start) > near:
+        high = low + (end - start)  # a full turn from another start
+        while high - low > end - start:
+            high = math.nextafter(high, low)
+        return low, high
+    if not periodic or low >= start - near:
+        low = max(low, start)
+    if not periodic or high <= end + near:
+        high = min(high, end)
+    return low, high
 
 
 def _converted(surface: Any) -> Any:

@@ -1,8 +1,10 @@
 """3DM files of Rhino through rhino3dm: each patch an object with its name, and the model's unit."""
 
 import tempfile
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +22,8 @@ from quintrig.nurbs import nurbs
 from quintrig.surface import Surface
 
 _VERSION = 7
+_MOST_OBJECTS = 100_000
+_OTHERS = {"Mesh": "meshes", "SubD": "SubD", "Point": "points", "PointCloud": "point clouds"}
 
 
 def write_3dm(forms: Sequence[ExactSurface], names: Sequence[str], unit: str, remark: str) -> bytes:
@@ -56,10 +60,16 @@ def read_3dm(path: Path) -> Contents:
     notes = () if unit else (f"the file's unit is {system}, which models do not have; lengths are as in the file",)
     faces: list[Face] = []
     curves: list[SpaceCurve] = []
-    for item in file.Objects:
-        shape, name = item.Geometry, item.Attributes.Name
+    others: Counter[str] = Counter()
+    try:
+        placed = list(islice(_placed(rhino, file), _MOST_OBJECTS + 1))
+    except RecursionError:
+        raise QuintrigError(f"{path}: its blocks hold each other without end; explode them in Rhino") from None
+    if len(placed) > _MOST_OBJECTS:
+        raise QuintrigError(f"{path}: expected at most {_MOST_OBJECTS:,} objects, blocks placed; split the file")
+    for shape, name in placed:
         if isinstance(shape, rhino.Extrusion):
-            shape = shape.ToBrep(False)
+            shape = shape.ToBrep(False)  # noqa: PLW2901
         if isinstance(shape, rhino.Brep):
             for index in range(len(shape.Faces)):
                 label = name if len(shape.Faces) == 1 else f"{name or 'face'} {index + 1}"
@@ -70,8 +80,41 @@ def read_3dm(path: Path) -> Contents:
             curve = shape.ToNurbsCurve()
             if curve is not None:
                 curves.append(_curve(len(curves) + 1, name, curve))
+        else:
+            others[_OTHERS.get(type(shape).__name__, type(shape).__name__)] += 1
+    if others and not faces and not curves:
+        held = " and ".join(f"{count} {what}" for what, count in others.items())
+        raise QuintrigError(f"{path}: expected surfaces or curves, found only {held}; convert them to NURBS in Rhino")
+    left = tuple(f"left out: {count} {what}, which hold no NURBS surface" for what, count in others.items())
     title = file.Objects[0].Attributes.Name if len(file.Objects) == 1 else ""
-    return Contents(title or path.stem, unit, tuple(faces), tuple(curves), notes)
+    return Contents(title or path.stem, unit, tuple(faces), tuple(curves), (*notes, *left))
+
+
+def _placed(rhino: Any, file: Any) -> Iterator[tuple[Any, str]]:
+    """Yield geometry and name of every object as it stands in space: those of blocks wherever the block is placed."""
+    inside = {str(identity) for block in file.InstanceDefinitions for identity in block.GetObjectIds()}
+    for item in file.Objects:
+        if str(item.Attributes.Id) not in inside and item.Attributes.Mode != rhino.ObjectMode.InstanceDefinitionObject:
+            yield from _expanded(rhino, file, item, ())
+
+
+def _expanded(rhino: Any, file: Any, item: Any, steps: tuple[Any, ...]) -> Iterator[tuple[Any, str]]:
+    """Yield an object moved by ``steps``, the innermost last; in a block's place its objects, blocks among them."""
+    shape, name = item.Geometry, item.Attributes.Name
+    if not isinstance(shape, rhino.InstanceReference):
+        if steps:
+            shape = shape.Duplicate()
+            for step in reversed(steps):
+                shape.Transform(step)
+        yield shape, name
+        return
+    block = file.InstanceDefinitions.FindId(shape.ParentIdefId)
+    if block is None:
+        return
+    for identity in block.GetObjectIds():
+        part = file.Objects.FindId(str(identity))
+        if part is not None:
+            yield from _expanded(rhino, file, part, (*steps, shape.Xform))
 
 
 def _to_rhino(rhino: Any, form: ExactSurface) -> Any:
