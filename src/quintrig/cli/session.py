@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from quintrig.cli.ending import MISTAKE, printable, say
+from quintrig.cli.ending import MISTAKE, say
+from quintrig.errors import printable
 
 if TYPE_CHECKING:
     from rich.console import Console

@@ -1,13 +1,15 @@
 """Reading CAD files in a process of its own: a damaged or hostile file may crash or hang the C++ that reads it."""
 
 import json
+import shutil
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
-from quintrig.errors import QuintrigError
+from quintrig.errors import QuintrigError, printable
 from quintrig.exchange.faces import Contents
+from quintrig.files import in_utf8
 
 SECONDS = 300
 """Time that a file may take; a large assembly takes some seconds."""
@@ -29,7 +31,8 @@ def read(path: Path, seconds: float = SECONDS) -> Contents:
     _check(path)
     with tempfile.TemporaryDirectory() as folder:
         answer = Path(folder) / "contents.json"
-        command = [sys.executable, "-m", "quintrig.exchange.isolated", str(path.absolute()), str(answer)]
+        source = _spelt(path.absolute(), Path(folder))
+        command = [sys.executable, "-m", "quintrig.exchange.isolated", str(source), str(answer)]
         try:
             done = subprocess.run(command, capture_output=True, stdin=subprocess.DEVNULL, timeout=seconds, check=False)
         except subprocess.TimeoutExpired:
@@ -42,7 +45,7 @@ def read(path: Path, seconds: float = SECONDS) -> Contents:
             )
         told = json.loads(answer.read_text(encoding="utf-8"))
     if "error" in told:
-        raise QuintrigError(str(told["error"]).replace(str(path.absolute()), str(path)))
+        raise QuintrigError(str(told["error"]).replace(str(source), str(path)))
     return Contents.from_dict(told)
 
 
@@ -55,6 +58,18 @@ def read_here(path: Path) -> Contents:
     from quintrig.exchange.cad_read import read_cad
 
     return read_cad(path)
+
+
+def _spelt(path: Path, folder: Path) -> Path:
+    """Return the file under a name that C++ takes: through a link in ``folder`` where its own is no UTF-8."""
+    if in_utf8(path):
+        return path
+    link = folder / f"{printable(path.stem)[:60]}{path.suffix}"
+    try:
+        link.symlink_to(path)
+    except OSError:  # not on every Windows
+        shutil.copyfile(path, link)
+    return link
 
 
 def _check(path: Path) -> None:
