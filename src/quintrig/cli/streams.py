@@ -50,9 +50,9 @@ def _lasting(stream: Any, number: int) -> Any:
     """Return a stream that outlives its reader; one of a terminal or of another program's own is left as it is."""
     if stream is None:
         return Path(os.devnull).open("w", encoding="utf-8")
-    stream = cast("io.TextIOWrapper[io.BufferedWriter]", stream)
-    if not isinstance(stream, io.TextIOWrapper) or stream.isatty() or stream.fileno() != number:
-        return stream
+    own = isinstance(stream, io.TextIOWrapper) and not stream.isatty() and stream.fileno() == number
+    if not own:
+        return cast(Any, stream)
     stream.flush()
     buffer = io.BufferedWriter(_Outlet(number, "w", closefd=False))
     return io.TextIOWrapper(buffer, stream.encoding, stream.errors, line_buffering=stream.line_buffering)
