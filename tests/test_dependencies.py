@@ -24,11 +24,11 @@ CALLED = {
 
 SAFE = {
     "jinja2": "3.1.6",
-    "pillow": "12.1.1",
+    "pillow": "12.3",
     "pyarrow": "23.0.1",
     "distributed": "2026.1.0",
-    "tornado": "6.5.3",
-    "starlette": "0.49.1",
+    "tornado": "6.5.10",
+    "starlette": "1.3.1",
     "h11": "0.16",
     "playwright": "1.56",
     "pytest": "9.0.3",
