@@ -54,5 +54,8 @@ def _lasting(stream: Any, number: int) -> Any:
     if not own:
         return cast(Any, stream)
     stream.flush()
-    buffer = io.BufferedWriter(_Outlet(number, "w", closefd=False))
-    return io.TextIOWrapper(buffer, stream.encoding, stream.errors, line_buffering=stream.line_buffering)
+    outlet = _Outlet(number, "w", closefd=False)
+    buffer: Any = outlet if stream.write_through else io.BufferedWriter(outlet)  # as python -u wants it
+    return io.TextIOWrapper(
+        buffer, stream.encoding, stream.errors, line_buffering=stream.line_buffering, write_through=stream.write_through
+    )
