@@ -1,5 +1,7 @@
 """NURBS surfaces against SciPy's B-splines, mpmath-free closed forms, and their own derivatives."""
 
+import re
+
 import numpy as np
 import pytest
 from scipy.interpolate import BSpline as ScipyBSpline
@@ -150,3 +152,27 @@ def test_a_nurbs_model_comes_back_from_its_own_keys():
     np.testing.assert_array_equal(again.surface(0.3, 0.6), model.surface(0.3, 0.6))
     with pytest.raises(quintrig.ModelError, match="degrees"):
         quintrig.Model.from_dict(keys | {"degrees": [1, 26]})
+
+
+BEZIER, GOOD = [0, 0, 0, 1, 1, 1], [0, 0, 0, 0.5, 1, 1, 1]
+
+
+@pytest.mark.parametrize(
+    ("degrees", "knots", "message"),
+    [
+        ((2, 2), ([0, 0, 0, 0, 1, 1, 1], GOOD), "knots[0]: expected 6 for 3 control points of degree 2, found 7"),
+        ((2, 2), (BEZIER, [0, 0, 0, 1, 1, 1]), "knots[1]: expected 7 for 4 control points of degree 2, found 6"),
+        (
+            (2, 2),
+            ([0, 0, 0, 1, 1], [0, 0, 0, 1, 1, 1]),
+            "knots[0]: expected 6 for 3 control points of degree 2, found 5",
+        ),
+        ((2, 2), (BEZIER, [0, 0, 0.5, 0.25, 1, 1, 1]), "knots[1][3]: expected at least 0.5, the knot before"),
+        ((2, 2), (BEZIER, [0, 0, 0, 0, 1, 1, 1]), "knots[1]: expected no interior knot more than 2 times"),
+        ((3, 2), ([0, 0, 0, 0, 1, 1, 1, 1], GOOD), "degrees[0]: expected at most 2 for 3 control points"),
+        ((0, 2), ([0, 0, 1, 1], GOOD), "degrees[0]: expected 1 to 25, found 0"),
+    ],
+)
+def test_what_is_wrong_with_knots_is_told_with_the_right_count(degrees, knots, message):
+    with pytest.raises(ValueError, match=f"^{re.escape(message)}"):
+        nurbs(np.zeros((3, 4, 3)), None, degrees, knots)

@@ -30,12 +30,7 @@ class BSpline:
         if count < 2 * p + 2:
             raise ValueError(f"knots: expected {2 * p + 2} or more for degree {p}, found {count}")
         knots = frozen(self.knots, "knots", (None,))
-        falling = np.flatnonzero(np.diff(knots) < 0.0)
-        if len(falling):
-            i = int(falling[0]) + 1
-            raise ValueError(
-                f"knots[{i}]: expected at least {knots[i - 1]:.17g}, the knot before it, found {knots[i]:.17g}"
-            )
+        _check_rising(knots)
         if knots[p] != 0.0 or knots[-p - 1] != 1.0:
             raise ValueError(f"knots: expected the domain [0, 1], found [{knots[p]:g}, {knots[-p - 1]:g}]")
         wide = knots[p + 1 :] - knots[: -p - 1]
@@ -90,6 +85,7 @@ def normalised(knots: ArrayLike, degree: int) -> BSpline:
     array = frozen(knots, "knots", (None,))
     if not 1 <= degree <= HIGHEST_DEGREE or len(array) < 2 * degree + 2:
         return BSpline(tuple(array.tolist()), degree)  # which says what is wrong
+    _check_rising(array)  # in the user's numbers
     start, end = array[degree], array[-degree - 1]
     if not end > start:
         raise ValueError(f"knots: expected them to rise from {start:g} over the domain, found them to end at {end:g}")
@@ -105,6 +101,15 @@ def clamped(breaks: ArrayLike, degree: int, multiplicity: int) -> BSpline:
     inner = np.repeat(array[1:-1], multiplicity)
     ends = degree + 1
     return normalised(np.concatenate([np.repeat(array[0], ends), inner, np.repeat(array[-1], ends)]), degree)
+
+
+def _check_rising(knots: FloatArray) -> None:
+    falling = np.flatnonzero(np.diff(knots) < 0.0)
+    if len(falling):
+        i = int(falling[0]) + 1
+        raise ValueError(
+            f"knots[{i}]: expected at least {knots[i - 1]:.17g}, the knot before it, found {knots[i]:.17g}"
+        )
 
 
 def _inverse(width: FloatArray) -> FloatArray:

@@ -9,12 +9,13 @@ from numpy.typing import ArrayLike
 from quintrig.arrays import FloatArray, frozen, number, parameter, whole
 from quintrig.basis import BasisName, family
 from quintrig.functions import Functions
+from quintrig.pickled import Pickled
 
 _SINGULAR = 1e-13  # speed below this share of the polygon's length: the tangent is lost to rounding
 
 
 @dataclass(frozen=True, eq=False)
-class Curve:
+class Curve(Pickled):
     """z(t) = Σ P_i f_i(t), t in [0, 1] (thesis eq. 2.1).
 
     ``points`` is (6, 2) or (6, 3), any number of rows for ``basis="bernstein"``; ``alpha`` and ``zeta`` are in

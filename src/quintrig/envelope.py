@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 from quintrig import taylor
 from quintrig.arrays import BoolArray, FloatArray, frozen, parameter
 from quintrig.basis import Bernstein, TangentBernstein, Trigonometric, shape_parameter
+from quintrig.pickled import Pickled
 from quintrig.rational import homogeneous, wedge_points, without_factor
 from quintrig.surface import Net, Surface
 
@@ -52,7 +53,7 @@ def developable(
 
 
 @dataclass(frozen=True, eq=False)
-class Envelope:
+class Envelope(Pickled):
     """The two boundary curves of the strip: where the rulings Π ∩ Π' meet the bounding planes.
 
     With n and e the normals of Π and Π', and b that of a bounding plane, the boundary A satisfies n·A + d = 0 and

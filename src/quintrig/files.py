@@ -75,7 +75,7 @@ def _draft(target: Path, data: bytes | str) -> Generator[Path]:
             file.write(data.encode() if isinstance(data, str) else data)
         _dress(Path(temporary), target)
         yield Path(temporary)
-    except OSError as error:
+    except (OSError, UnicodeError) as error:
         raise _refusal(target, error) from None
     finally:
         if temporary:
@@ -168,7 +168,9 @@ def _keys(path: Path) -> dict[str, Any] | None:
     return cast(dict[str, Any], found) if isinstance(found, dict) else None
 
 
-def _refusal(target: Path, error: OSError) -> QuintrigError:
+def _refusal(target: Path, error: OSError | UnicodeError) -> QuintrigError:
+    if isinstance(error, UnicodeError):
+        return QuintrigError(f"{target}: this system cannot spell the name; choose another, or set LC_ALL=C.UTF-8")
     reason = error.strerror or str(error)
     if isinstance(error, (FileExistsError, NotADirectoryError)):
         reason = "a part of the path is a file, not a folder"
@@ -179,6 +181,21 @@ def require(package: str, extra: str) -> None:
     """Raise QuintrigError with the command that installs an optional package, where it is missing."""
     if find_spec(package) is None:
         raise QuintrigError(f"this needs {package}, which is not installed: run pip install 'quintrig[{extra}]'")
+
+
+def in_utf8(path: Path) -> bool:
+    """Return whether a name is text that other libraries take; one in another encoding than the system's is not."""
+    try:
+        str(path).encode()
+    except UnicodeEncodeError:
+        return False
+    return True
+
+
+def require_utf8(path: Path, what: str) -> None:
+    """Raise QuintrigError where the name is no text in UTF-8, before work that would end in vain."""
+    if not in_utf8(path):
+        raise QuintrigError(f"{path}: expected {what} whose name is in UTF-8; rename it, or set LC_ALL=C.UTF-8")
 
 
 def _umask() -> int:

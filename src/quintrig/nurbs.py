@@ -1,5 +1,6 @@
 """NURBS surfaces, as CAD files hold them: the general form in which everything rational can be analysed."""
 
+import re
 from collections.abc import Sequence
 
 import numpy as np
@@ -49,14 +50,17 @@ def nurbs(
 
 
 def _functions(knots: ArrayLike, degree: int, count: int, axis: int) -> BSpline:
-    try:
-        functions = normalised(knots, degree)
-    except ValueError as error:
-        raise ValueError(f"knots[{axis}]: {error}") from None
-    if functions.size != count:
-        wanted = count + degree + 1
+    array = frozen(knots, f"knots[{axis}]", (None,))
+    wanted = count + degree + 1
+    if 1 <= degree < count and len(array) != wanted:
         raise ValueError(
-            f"knots[{axis}]: expected {wanted} for {count} control points of degree {degree}, "
-            f"found {len(functions.knots)}"
+            f"knots[{axis}]: expected {wanted} for {count} control points of degree {degree}, found {len(array)}"
         )
+    try:
+        functions = normalised(array, degree)
+    except ValueError as error:
+        place = re.sub("^knots|^degree(?=:)", lambda found: f"{found[0].rstrip('s')}s[{axis}]", str(error))
+        raise ValueError(place) from None
+    if functions.size != count:
+        raise ValueError(f"degrees[{axis}]: expected at most {count - 1} for {count} control points, found {degree}")
     return functions

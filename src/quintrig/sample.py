@@ -13,6 +13,7 @@ from quintrig import evaluate
 from quintrig.arrays import BoolArray, FloatArray, aligned, parameter, whole
 from quintrig.classify import Thresholds
 from quintrig.noise import NOISE
+from quintrig.pickled import Pickled
 from quintrig.planes import Settings
 from quintrig.quantity import BY_KEY, quantity
 from quintrig.surface import Surface
@@ -25,7 +26,7 @@ _USUAL = Thresholds()
 
 
 @dataclass(frozen=True, eq=False)
-class Sample:
+class Sample(Pickled):
     """Quantities of a surface at parameters u and v.
 
     ``sample["gaussian"]`` has the broadcast shape of u and v, vectors have a last axis of 3, classes are int8 codes.

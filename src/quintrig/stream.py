@@ -127,6 +127,7 @@ def write_parquet(
 
     def fill(file: Path) -> None:
         writer: Any = None
+        sink = file.open("wb")  # pyarrow takes no name that is not UTF-8
         try:
             for block in blocks:
                 shape = block.sample.shape
@@ -136,13 +137,14 @@ def write_parquet(
                 if writer is None:
                     units = {f"unit of {key}": BY_KEY[key].unit(unit) for key in keys}
                     units |= _notes(surface, thresholds, unit)
-                    writer = pq.ParquetWriter(file, table.schema.with_metadata(units), compression="zstd")
+                    writer = pq.ParquetWriter(sink, table.schema.with_metadata(units), compression="zstd")
                 writer.write_table(table.cast(writer.schema))
                 if progress:
                     progress(block.stop, nu)
         finally:
             if writer is not None:
                 writer.close()
+            sink.close()
 
     return _whole_file(out, fill)
 

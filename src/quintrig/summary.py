@@ -11,6 +11,7 @@ from quintrig.cautions import Singular, find_cautions, find_notes, find_singular
 from quintrig.classify import Thresholds
 from quintrig.extremes import Extremes, find_extremes
 from quintrig.integrate import Integrals, area_weights, integrals, orientation
+from quintrig.pickled import Pickled
 from quintrig.quantity import quantity
 from quintrig.sample import Sample, analyse, grid
 from quintrig.surface import Surface
@@ -31,7 +32,7 @@ class ClassShare:
 
 
 @dataclass(frozen=True, eq=False)
-class Summary:
+class Summary(Pickled):
     """A surface in numbers and words.
 
     ``box`` (2, 3) holds the least and greatest coordinates of the samples and ``size`` the diagonal that thresholds

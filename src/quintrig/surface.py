@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from quintrig.arrays import BoolArray, FloatArray, locked, parameter, whole
 from quintrig.functions import Functions
+from quintrig.pickled import Pickled
 
 
 class Rows(Protocol):
@@ -32,7 +33,7 @@ class Rows(Protocol):
 
 
 @dataclass(frozen=True, eq=False)
-class Net:
+class Net(Pickled):
     """Rows that share their functions: Q_j(u) = Σ_i f_i(u) P_ij, ``points`` of shape (i, j, 3 or 4), length¹."""
 
     points: FloatArray
@@ -62,7 +63,7 @@ _ON_LOOP = 1e-9  # parameters this near to a trim loop are on it
 
 
 @dataclass(frozen=True, eq=False)
-class Surface:
+class Surface(Pickled):
     """S(u, v) = Σ_j Q_j(u) D_j(v) over (u, v) in [0, 1]².
 
     The normal points along S_u x S_v, against it when ``flip``. ``net`` is the control net to draw, shape (n, m, 3),

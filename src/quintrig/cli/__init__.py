@@ -7,5 +7,7 @@ def main() -> None:
     """Run the command line and exit: 0 done, 1 a check found problems, 2 a mistake in what was asked."""
     from quintrig.cli.app import build
     from quintrig.cli.ending import run
+    from quintrig.cli.streams import prepare
 
+    prepare()
     sys.exit(run(build, sys.argv[1:]))

@@ -1,13 +1,12 @@
 """How a run ends: mistakes told in one line on stderr, exit codes, nothing more."""
 
-import os
 import sys
 import traceback
 from collections.abc import Callable, Sequence
 
 import typer
 
-from quintrig.errors import ModelError, QuintrigError
+from quintrig.errors import ModelError, QuintrigError, printable
 
 FOUND, MISTAKE, FAULT, INTERRUPTED = 1, 2, 70, 130
 """Exit codes: a check found problems, the user's mistake, a fault of quintrig, Ctrl-C."""
@@ -22,9 +21,6 @@ def run(build: Callable[[], typer.Typer], arguments: Sequence[str]) -> int:
             args=[word for word in arguments if word != "--debug"], prog_name="quintrig", standalone_mode=False
         )
         sys.stdout.flush()
-    except BrokenPipeError:
-        _silence_stdout()
-        return 0
     except (KeyboardInterrupt, typer.Abort):
         return say("interrupted", INTERRUPTED)
     except Exception as error:
@@ -35,11 +31,6 @@ def run(build: Callable[[], typer.Typer], arguments: Sequence[str]) -> int:
         return say("interrupted", INTERRUPTED)
     # Outside standalone mode typer returns the code of an Exit, or else what the command returned.
     return result if isinstance(result, int) else 0
-
-
-def printable(text: str) -> str:
-    """Return the text on one line, with control characters, which could act on a terminal, spelled out."""
-    return "".join(c if c.isprintable() else repr(c)[1:-1] for c in " ".join(text.splitlines()))
 
 
 def _tell(error: Exception) -> int:
@@ -88,8 +79,3 @@ def _prepare_streams() -> None:
         reconfigure(errors="replace")
     elif reconfigure is not None:
         reconfigure(encoding="utf-8", errors="backslashreplace")
-
-
-def _silence_stdout() -> None:
-    """Point stdout elsewhere, so that flushing it at exit does not fail on the broken pipe again."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

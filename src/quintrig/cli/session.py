@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from quintrig.cli.ending import MISTAKE, printable, say
+from quintrig.cli.ending import MISTAKE, say
+from quintrig.errors import printable
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -58,6 +59,7 @@ def output() -> "Console":
 def emit(text: str) -> None:
     """Write data to stdout as it is, ending in a newline."""
     sys.stdout.write(text if text.endswith("\n") else text + "\n")
+    sys.stdout.flush()  # whoever waits for the studio's address reads a pipe
 
 
 @contextmanager

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from quintrig.cli import session
-from quintrig.cli.ending import printable
 from quintrig.cli.options import WhichPatch
+from quintrig.errors import printable
 
 if TYPE_CHECKING:
     from quintrig.arrays import FloatArray

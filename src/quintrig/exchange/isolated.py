@@ -1,6 +1,7 @@
 """Reading CAD files in a process of its own: a damaged or hostile file may crash or hang the C++ that reads it."""
 
 import json
+import shutil
 import signal
 import subprocess
 import sys
@@ -10,9 +11,9 @@ from pathlib import Path
 from time import monotonic
 from typing import Any
 
-from quintrig.errors import QuintrigError
+from quintrig.errors import QuintrigError, printable
 from quintrig.exchange.faces import Contents
-from quintrig.files import open_regular
+from quintrig.files import in_utf8, open_regular
 
 LARGEST = 512 * 2**20
 """Bytes of a file that is read at all."""
@@ -45,8 +46,6 @@ def read(path: Path, seconds: float | None = None) -> Contents:
     for _ in range(_TRIES):
         told, stage, how = _tried(path, size, skip, plain, seconds, ends - monotonic())
         if told is not None:
-            if "error" in told:
-                raise QuintrigError(str(told["error"]).replace(str(path.absolute()), str(path)))
             return Contents.from_dict(told)
         if stage > 0 and stage not in skip:
             skip.append(stage)
@@ -76,8 +75,9 @@ def _tried(
     """
     with tempfile.TemporaryDirectory() as folder:
         answer = Path(folder) / "contents.json"
+        source = _spelt(path.absolute(), Path(folder))
         orders = {"skip": list(skip), "plain": plain, "seconds": seconds, "memory": _memory(size)}
-        command = [sys.executable, "-m", "quintrig.exchange.isolated", str(path.absolute()), str(answer)]
+        command = [sys.executable, "-m", "quintrig.exchange.isolated", str(source), str(answer)]
         try:
             done = subprocess.run(
                 [*command, json.dumps(orders)],
@@ -89,7 +89,10 @@ def _tried(
         except subprocess.TimeoutExpired:
             return None, _stage(answer), ""
         if answer.exists():
-            return json.loads(answer.read_text(encoding="utf-8")), 0, ""
+            told = json.loads(answer.read_text(encoding="utf-8"))
+            if "error" in told:
+                raise QuintrigError(str(told["error"]).replace(str(source), str(path)))
+            return told, 0, ""
         if -done.returncode == getattr(signal, "SIGXCPU", None):
             return None, _stage(answer), ""
         # A crash in C++ leaves a signal or a code, and nothing that would help the user.
@@ -125,6 +128,18 @@ def _stage(answer: Path) -> int:
         return int(answer.with_suffix(".face").read_text(encoding="utf-8") or 0)
     except (OSError, ValueError):
         return 0
+
+
+def _spelt(path: Path, folder: Path) -> Path:
+    """Return the file under a name that C++ takes: through a link in ``folder`` where its own is no UTF-8."""
+    if in_utf8(path):
+        return path
+    link = folder / f"{printable(path.stem)[:60]}{path.suffix}"
+    try:
+        link.symlink_to(path)
+    except OSError:  # not on every Windows
+        shutil.copyfile(path, link)
+    return link
 
 
 def _check(path: Path) -> int:

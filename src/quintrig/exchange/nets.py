@@ -11,7 +11,7 @@ from quintrig.arrays import FloatArray, frozen
 from quintrig.basis import Trigonometric
 from quintrig.bspline import normalised
 from quintrig.definition import KINDS
-from quintrig.errors import ModelError, QuintrigError, nearest
+from quintrig.errors import ModelError, QuintrigError, nearest, printable
 from quintrig.exchange.faces import SpaceCurve
 from quintrig.exchange.formats import suffixes
 from quintrig.exchange.toml import to_toml
@@ -188,6 +188,6 @@ def _plain(name: str) -> str:
 
 def _named(path: Path, keys: dict[str, Any]) -> Model:
     try:
-        return Model.from_dict({"name": path.stem} | keys, path.parent)
+        return Model.from_dict({"name": printable(path.stem)} | keys, path.parent)
     except ModelError as error:
         raise ModelError(f"{path}: {error}") from None

@@ -24,7 +24,8 @@ class Changed(Exception):
 def names(folder: Path) -> list[str]:
     """Return the names of the files in the folder that may be models, hidden ones and links left out."""
     found = (path for path in folder.iterdir() if path.suffix.lower() in SUFFIXES and not path.name.startswith("."))
-    return sorted(path.name for path in found if path.is_file() and not path.is_symlink())[:_MOST_FILES]
+    printable = (path for path in found if path.name.isprintable())  # others cannot be sent as text
+    return sorted(path.name for path in printable if path.is_file() and not path.is_symlink())[:_MOST_FILES]
 
 
 def confined(folder: Path, name: str) -> Path:

@@ -18,6 +18,7 @@ from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
 
 from quintrig.errors import ModelError, QuintrigError
+from quintrig.files import require_utf8
 from quintrig.parsing import parse
 from quintrig.studio import exports, folder, page
 from quintrig.studio.guard import LARGEST_BODY, App, Guard, TooLarge
@@ -53,11 +54,12 @@ def site(model: Path | None, host: str = LOOPBACK, port: int = 0) -> Site:
     restart, or is the next free one. Raises QuintrigError where the address cannot be used.
     """
     place = model.resolve() if model else Path.cwd()
+    require_utf8(Path(place.name), "a model")
     base = place.parent if model else place
     if port:
         candidates = [port]
     else:
-        start = int(hashlib.sha256(str(place).encode()).hexdigest(), 16) % _PORTS
+        start = int(hashlib.sha256(os.fsencode(place)).hexdigest(), 16) % _PORTS
         candidates = [_FIRST_PORT + (start + step) % _PORTS for step in range(20)]
     for candidate in candidates:
         if _free(host, candidate):
@@ -72,7 +74,7 @@ def application(where: Site) -> App:
     """Return the guarded ASGI application of a site."""
 
     async def index(_: Request) -> Response:
-        key = hashlib.sha256(str(where.folder / where.name).encode()).hexdigest()[:16]
+        key = hashlib.sha256(os.fsencode(where.folder / where.name)).hexdigest()[:16]
         return Response(page.shell(f"{where.name}:{key}"), media_type="text/html")
 
     async def model(_: Request) -> Response:

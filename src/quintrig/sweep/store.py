@@ -13,7 +13,7 @@ import numpy as np
 from quintrig.arrays import FloatArray
 from quintrig.classify import Thresholds
 from quintrig.errors import QuintrigError
-from quintrig.files import refuse_unwritable, require, write_first, write_whole
+from quintrig.files import refuse_unwritable, require, require_utf8, write_first, write_whole
 from quintrig.integrate import orientation
 from quintrig.parsing import parse
 from quintrig.sweep.part import Task, column_unit, columns
@@ -90,6 +90,7 @@ def open_sweep(folder: Path, task: Task) -> Sweep:
     small.
     """
     require("pyarrow", "sweep")
+    require_utf8(folder, "a folder")
     description = json.dumps({"format": _FORMAT} | task.to_dict(), indent=1, sort_keys=True)
     if folder.is_dir():
         _sweep_out(folder)
@@ -109,6 +110,7 @@ def open_sweep(folder: Path, task: Task) -> Sweep:
 
 def load_sweep(folder: Path) -> Sweep:
     """Return the sweep that a folder holds; QuintrigError where there is none."""
+    require_utf8(folder, "a folder")
     data = _read(folder)
     thresholds = Thresholds(float(data["relative"]), float(data["flat"]))
     space = DesignSpace.from_dict(data["space"])
