@@ -108,7 +108,9 @@ def row_derivatives(surface: Surface, u: FloatArray) -> FloatArray:
     """Return derivatives 0 to 2 of origin and row increments at u, shape (n, 3, 1 + terms, 3)."""
     rows = surface.rows
     if not isinstance(rows, Net):
-        return split(rows.derivatives(u, 2).transpose(2, 1, 0, 3), surface.blend).transpose(1, 2, 0, 3)
+        result = split(rows.derivatives(u, 2).transpose(2, 1, 0, 3), surface.blend).transpose(1, 2, 0, 3)
+        result[:, 0, 0] += surface.origin
+        return result
     net = _net(surface, rows)
     blocks = increment_blocks(rows.functions, u)
     factors: FloatArray = np.zeros((len(blocks), BLOCK, 3, len(net)))
@@ -119,8 +121,8 @@ def row_derivatives(surface: Surface, u: FloatArray) -> FloatArray:
 
 def _net(surface: Surface, rows: Net) -> FloatArray:
     """Return origin and increments of the control points both ways, ((1 + increments), (1 + terms) 3)."""
-    by_rows = split(rows.points, rows.functions).transpose(1, 0, 2)
-    both = split(by_rows, surface.blend).transpose(1, 0, 2)
+    both = rows.increments(surface.blend).copy()
+    both[0, 0] += surface.origin
     return both.reshape(len(both), -1)
 
 
