@@ -9,8 +9,10 @@ import numpy as np
 import pytest
 
 import quintrig
+from catalogue import SURFACES
 from quintrig.quantity import BY_KEY, QUANTITIES
 from quintrig.studio import BUNDLE
+from random_models import RANDOM, displaced
 
 CASES = json.loads((Path(__file__).parent / "data" / "cases.json").read_text())
 KINDS = [
@@ -95,8 +97,26 @@ def every_job():
         yield {"model": model, "u": u.tolist(), "v": v.tolist()}
 
 
+def far_jobs():
+    """Every kind at distances, with shape parameters inside the range, near -4 and at it."""
+    random = np.random.default_rng(17)
+    for kind in (*RANDOM, "nurbs"):
+        for distance in (0.0, 1e3, 1e6, 1e9, 1e12):
+            for shape in SHAPES:
+                model = dict(SURFACES["nurbs"].model) if kind == "nurbs" else {"kind": kind, **RANDOM[kind](random, 1.0)}
+                if kind != "nurbs":
+                    model["shape"] = shape[:2] if kind == "developable" else shape
+                if kind == "developable" and shape[0] < -3.5:  # its first ruling would run far away
+                    continue
+                u, v = np.concatenate([random.uniform(0.02, 0.98, (2, 6)), [[1e-3, 0.3, 0.999], [0.4, 0.998, 1e-3]]], axis=1)
+                moved = displaced(model, distance * np.array([1.0, -0.7, 0.4]))
+                yield {"model": json.loads(json.dumps(moved, default=np.ndarray.tolist)), "u": u.tolist(), "v": v.tolist()}
+
+
+SHAPES = ([0.5, -2.0, 1.0, 0.0], [-4.0 + 1e-4, -3.99, -4.0 + 1e-5, -3.999], [-4.0, 0.5, 0.0, -4.0])
 JOBS = list(every_job())
 FIRST_EDGE = len(JOBS) - len(EDGES)
+JOBS += far_jobs()
 NAMES = [f"{i}-{job['model']['kind']}-{job['model'].get('shape', '')}" for i, job in enumerate(JOBS)]
 
 
@@ -210,10 +230,11 @@ def natural_scales(sample):
     second = np.maximum(second, sample.size)
     speed, mixed, cross = e, np.sqrt(e * g), g
     one = np.ones_like(bend)
+    reach = 1e-4 * np.abs(sample.point).max()  # far out a point is as exact as its coordinates, to a few units
     steep = np.abs(sample["normal"][..., 2])
     with np.errstate(all="ignore"):
         scales = {
-            "point": one * sample.size, "normal": one, "shape_index": bend / sample["curvedness"],
+            "point": one * (sample.size + reach), "normal": one, "shape_index": bend / sample["curvedness"],
             "direction1": bend / (sample["k1"] - sample["k2"]), "direction2": bend / (sample["k1"] - sample["k2"]),
             "E": speed, "F": mixed, "G": cross, "L": second[2, 0], "M": second[1, 1], "N": second[0, 2],
             "gaussian": bend**2, "mean": bend, "k1": bend, "k2": bend, "curvedness": bend,
