@@ -54,12 +54,25 @@ def test_curvature_loses_nothing_to_the_distance_from_the_origin(kind, distance)
                 assert np.abs(partials[order][k] - wanted).max() <= 1e-12 * np.linalg.norm(wanted)
 
 
-def test_curvature_does_not_see_where_the_origin_is():
-    net = np.round(64 * plain_net(np.random.default_rng(11), 8.0)) / 64  # so that moving it far away is exact
+NET = np.round(64 * plain_net(np.random.default_rng(11), 8.0)) / 64
+"""So short numbers that moving it far away is exact."""
+
+SAME_BITS = {
+    "tensor": lambda shift: quintrig.tensor(NET + shift, (1.0, -3.5, -4.0, 0.0)),
+    "swept": lambda shift: quintrig.swept(NET[:, 0] + shift, NET[0], (1.0, -3.5, -4.0, 0.0)),
+    "ruled": lambda shift: quintrig.ruled(NET[:, 0] + shift, NET[:, 5] + shift, (1.0, -3.5, -4.0, 0.0)),
+    "swung": lambda shift: quintrig.swung(NET[:, 0, ::2] + [9.0, shift[2]], NET[0, :, :2], (1.0, -3.5, -2.0, 0.0)),
+    "nurbs without weights": lambda shift: nurbs(NET + shift, None, (3, 2), KNOTS),
+}
+KNOTS = ([0, 0, 0, 0, 1, 2, 3, 3, 3, 3], [0, 0, 0, 1, 2, 3, 4, 4, 4])
+
+
+@pytest.mark.parametrize("name", SAME_BITS)
+def test_curvature_does_not_see_where_the_origin_is(name):
     u, v = np.random.default_rng(12).random((2, 40))
     at_home, away = (
-        quintrig.analyse(quintrig.tensor(net + shift, (1.0, -3.5, -4.0, 0.0)), u, v)
-        for shift in (0.0, [2.0**30, -(2.0**28), 2.0**31])
+        quintrig.analyse(SAME_BITS[name](np.array(shift)), u, v)
+        for shift in ([0.0, 0.0, 0.0], [2.0**30, -(2.0**28), 2.0**31])
     )
     for key in ("E", "F", "G", "L", "M", "N", "normal", "gaussian", "mean", "k1", "k2", "shape_index", "gamma1"):
         np.testing.assert_array_equal(away[key], at_home[key], err_msg=key)
