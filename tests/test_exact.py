@@ -17,6 +17,7 @@ FORMS = ("E", "F", "G", "L", "M", "N")
 FLATTEST = 1e-3
 """Curvedness times size below which errors are measured against this curvedness, not the point's own (1 if it is 0)."""
 
+
 def check_model(model, u, v):
     """Compare everything that ``analyse`` gives with the exact values; return the number of regular points."""
     surface = build(model)

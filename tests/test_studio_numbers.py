@@ -103,20 +103,36 @@ def far_jobs():
     for kind in (*RANDOM, "nurbs"):
         for distance in (0.0, 1e3, 1e6, 1e9, 1e12):
             for shape in SHAPES:
-                model = dict(SURFACES["nurbs"].model) if kind == "nurbs" else {"kind": kind, **RANDOM[kind](random, 1.0)}
+                model = (
+                    dict(SURFACES["nurbs"].model) if kind == "nurbs" else {"kind": kind, **RANDOM[kind](random, 1.0)}
+                )
                 if kind != "nurbs":
                     model["shape"] = shape[:2] if kind == "developable" else shape
                 if kind == "developable" and shape[0] < -3.5:  # its first ruling would run far away
                     continue
-                u, v = np.concatenate([random.uniform(0.02, 0.98, (2, 6)), [[1e-3, 0.3, 0.999], [0.4, 0.998, 1e-3]]], axis=1)
+                beside = [[1e-3, 0.3, 0.999], [0.4, 0.998, 1e-3]]
+                u, v = np.concatenate([random.uniform(0.02, 0.98, (2, 6)), beside], axis=1).tolist()
                 moved = displaced(model, distance * np.array([1.0, -0.7, 0.4]))
-                yield {"model": json.loads(json.dumps(moved, default=np.ndarray.tolist)), "u": u.tolist(), "v": v.tolist()}
+                yield {"model": json.loads(json.dumps(moved, default=np.ndarray.tolist)), "u": u, "v": v}
+
+
+def still_jobs():
+    """Kinds with edges at exactly -4, ever nearer to these."""
+    random = np.random.default_rng(23)
+    for kind in ("tensor", "symmetric", "swept", "swung", "ruled"):
+        for shape in ([-4.0] * 4, [-4.0, 0.5, -4.0, 1.0]):
+            model = {"kind": kind, **RANDOM[kind](random, 1.0), "shape": shape}
+            u = [1e-2, 1e-4, 1e-6, 0.3, 1e-5, 1.0 - 1e-4]
+            v = [0.3, 0.7, 0.4, 0.6, 1e-4, 0.2]
+            yield {"model": json.loads(json.dumps(model, default=np.ndarray.tolist)), "u": u, "v": v}
 
 
 SHAPES = ([0.5, -2.0, 1.0, 0.0], [-4.0 + 1e-4, -3.99, -4.0 + 1e-5, -3.999], [-4.0, 0.5, 0.0, -4.0])
 JOBS = list(every_job())
 FIRST_EDGE = len(JOBS) - len(EDGES)
 JOBS += far_jobs()
+FIRST_STILL = len(JOBS)
+JOBS += still_jobs()
 NAMES = [f"{i}-{job['model']['kind']}-{job['model'].get('shape', '')}" for i, job in enumerate(JOBS)]
 
 
@@ -179,6 +195,16 @@ def test_the_bundle_meets_the_exact_values_to_1e_11_of_the_curvedness(answers, i
     for key, power in EXACT.items():
         error = np.array(found[key][: len(points)], float) - [p[key] for p in points]
         assert (np.abs(error) <= 1e-11 * scale**power).all(), key
+
+
+@pytest.mark.parametrize("index", range(FIRST_STILL, len(JOBS)), ids=NAMES[FIRST_STILL:])
+def test_the_bundle_loses_no_digits_beside_an_edge_that_stands_still(answers, index):
+    job = JOBS[index]
+    surface = quintrig.Model.from_dict(job["model"]).surface
+    sample = quintrig.analyse(surface, np.array(job["u"]), np.array(job["v"]))
+    for key, power in EXACT.items():
+        error = np.array(answers[index][0][key], float) - sample[key]
+        assert (np.abs(error) <= 1e-12 * sample["curvedness"] ** power).all(), key
 
 
 def compare(sample, found):

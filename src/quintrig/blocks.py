@@ -145,8 +145,8 @@ def _trigonometric(t: FloatArray, alpha: float, zeta: float, out: FloatArray) ->
 def _across(t: FloatArray, alpha: float, zeta: float, start: bool, end: bool, out: FloatArray) -> None:
     """Put f (G/f)' in place of the derivatives of the hodograph functions G, f = s at a still start, c at a still end.
 
-    With f = 1 where an end moves, G = f g, and this is f g'; of G0 (G4) at a still start (end) the term 4 + α (4 + ζ) is
-    left out.
+    With f = 1 where an end moves, G = f g, and this is f g'; of G0 (G4) at a still start (end) the term 4 + α (4 + ζ)
+    is left out.
     """
     square = 0.25 * np.pi * np.pi
     for block in range(t.shape[0]):

@@ -142,7 +142,11 @@ def _strip_origin(rows: Envelope) -> FloatArray:
     """Return an origin near most of a strip: some of its points may lie as good as at infinity."""
     points = rows.derivatives(np.linspace(0.0, 1.0, 17), 0)[0].reshape(-1, 3)
     points = points[np.isfinite(points).all(axis=-1)]
-    return local_origin(np.percentile(points, [25.0, 75.0], axis=0)) if len(points) else np.zeros(3)
+    if not len(points):
+        return np.zeros(3)
+    quarter, middle = len(points) // 4, len(points) // 2
+    ordered: FloatArray = np.sort(points, axis=0)
+    return local_origin(ordered[[quarter, middle + quarter]])
 
 
 @dataclass(frozen=True, eq=False)

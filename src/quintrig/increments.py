@@ -12,7 +12,6 @@ from quintrig.arrays import FloatArray
 from quintrig.basis import Trigonometric
 from quintrig.functions import Functions, Joined, sin_cos
 
-
 Still = tuple[bool, bool]
 """Whether a curve or surface stands still at t = 0, and at t = 1."""
 
@@ -66,8 +65,8 @@ def standing(functions: Functions, steps: FloatArray) -> Still:
 def across(functions: Trigonometric, t: FloatArray, still: Still) -> FloatArray:
     """Return f (G/f)' for the functions G of the hodograph, shape (*t.shape, 5), with f = sin and cos at still ends.
 
-    There S' = f R, and S'' = f' R + f R'. The first part runs along S' and drops out of every curvature, but as S' nearly
-    vanishes it is by far the larger one, and its rounding would not drop out.
+    There S' = f R, and S'' = f' R + f R'. The first part runs along S' and drops out of every curvature, but as S'
+    nearly vanishes it is by far the larger one, and its rounding would not drop out.
     """
     return still_factor(t, still)[..., None] * functions.slopes(t, 1, *still)[1]
 

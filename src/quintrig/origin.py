@@ -14,14 +14,15 @@ from quintrig.arrays import FloatArray
 
 def local_origin(points: FloatArray) -> FloatArray:
     """Return an origin (d,) for points (..., d), length¹; those that are not finite are left out."""
-    flat = points.reshape(-1, points.shape[-1])
-    flat = flat[np.isfinite(flat).all(axis=-1)]
-    if not len(flat):
-        return np.zeros(points.shape[-1])
-    low, high = flat.min(axis=0), flat.max(axis=0)
+    flat: FloatArray = points.reshape(-1, points.shape[-1])
+    finite: FloatArray = flat[np.isfinite(flat).all(axis=-1)]
+    if not len(finite):
+        return np.zeros((points.shape[-1],))
+    low: FloatArray = finite.min(axis=0)
+    high: FloatArray = finite.max(axis=0)
     with np.errstate(over="ignore", invalid="ignore"):
         size = float((high - low).max())
-        middle = 0.5 * low + 0.5 * high
+    middle: FloatArray = 0.5 * low + 0.5 * high
     if size == 0.0:
         return middle
     if not np.isfinite(size):

@@ -64,7 +64,7 @@ class Net:
         return (f @ self.points.reshape(len(self.points), -1)).reshape(*f.shape[:-1], *self.points.shape[1:])
 
     def increments(self, blend: Functions) -> FloatArray:
-        """Return origin and increments of the points both ways, (1 + increments, 1 + those of ``blend``, 3), length¹."""
+        """Return origin and increments of the points both ways, (1 + terms, 1 + terms of ``blend``, 3), length¹."""
         if self.steps is not None:
             return self.steps
         by_rows = split(self.points, self.functions).transpose(1, 0, 2)
@@ -122,7 +122,7 @@ class Surface:
         point = _blended(self.rows.derivatives(u, 0), self.blend.derivatives(v, 0))
         if not order:
             return point
-        # Derivatives see differences of neighbours only. (Points do not: edges meet those of neighbours to the last bit.)
+        # Derivatives see differences of neighbours only. (Points do not: edges meet those of neighbours exactly.)
         result = _blended(self._increments(u, order), _with_one(increments(self.blend, v, order)))
         result[0, 0] = point[0, 0]
         return result

@@ -51,7 +51,9 @@ def _keys(surface: Surface) -> dict[str, Any] | None:
         first, second = shapes[0] or (), shapes[1] or ()
         bernstein = not isinstance(pair[0], Trigonometric)
         if bernstein == (not isinstance(pair[1], Trigonometric)):
-            return _bezier({"kind": "tensor", "points": (points + surface.origin).tolist()}, (*first, *second), bernstein)
+            return _bezier(
+                {"kind": "tensor", "points": (points + surface.origin).tolist()}, (*first, *second), bernstein
+            )
     if isinstance(pair[0], BSpline) and isinstance(pair[1], BSpline):
         return _nurbs(points, pair[0], pair[1], surface.origin)
     return closed_form(surface)

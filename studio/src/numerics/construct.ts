@@ -1,6 +1,6 @@
 /** The constructions from control points: each is a net computed in a line or two. `shape` is (α1, ζ1, α2, ζ2). */
 
-import { Bernstein, family, type BasisName } from "./basis";
+import { Bernstein, family, standing, type BasisName } from "./basis";
 import { Joined } from "./functions";
 import { localOrigin, movedPlane, seenFrom } from "./origin";
 import { Net, type Points, type Surface } from "./surface";
@@ -30,8 +30,10 @@ export function tensor(points: readonly (readonly Vector[])[], shape: Shape, opt
 /** The surface on points as seen from an origin; `net` holds them as they are, to be drawn. */
 function onLocal(local: number[][][], origin: number[], shape: Shape, options: Options, net?: Points): Surface {
   const points = packed(local);
-  const u = family(options.basis, points.n, shape[0]!, shape[1]!);
-  const v = family(options.basis, points.m, shape[2]!, shape[3]!);
+  const [a1, z1, a2, z2] = shape as [number, number, number, number];
+  const columns = local[0]!.map((_, j) => local.map((row) => row[j]!));
+  const u = family(options.basis, points.n, a1, z1, standing(a1, z1, local));
+  const v = family(options.basis, points.m, a2, z2, standing(a2, z2, columns));
   net ??= packed(local.map((row) => row.map((point) => point.map((value, x) => value + origin[x]!))));
   return { rows: new Net(points, u), blend: v, flip: options.flip, net, origin };
 }
@@ -66,9 +68,12 @@ export function ruled(first: readonly Vector[], second: readonly Vector[], shape
   const zero = [0, 0, 0];
   const origin = localOrigin([...first, ...second]);
   const points = packed([...first.map((p) => [seenFrom(p, origin), zero]), ...second.map((p) => [zero, seenFrom(p, origin)])]);
+  const [a1, z1, a2, z2] = shape as [number, number, number, number];
+  const one = standing(a1, z1, first.map((p) => [p])), two = standing(a2, z2, second.map((p) => [p]));
+  const still = [one[0] && two[0], one[1] && two[1]] as const; // both boundaries must
   const functions = new Joined([
-    family(options.basis, first.length, shape[0]!, shape[1]!),
-    family(options.basis, second.length, shape[2]!, shape[3]!),
+    family(options.basis, first.length, a1, z1, still),
+    family(options.basis, second.length, a2, z2, still),
   ]);
   const net = first.length === second.length ? packed(first.map((p, i) => [p, second[i]!])) : null;
   return { rows: new Net(points, functions), blend: new Bernstein(1), flip: options.flip, net, origin };
