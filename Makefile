@@ -2,13 +2,21 @@
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: report test check bench bench-studio studio bundle extras clean
+.PHONY: report test test-processors check bench bench-studio studio bundle extras clean
 
 report: .venv/installed
 	$(BIN)/quintrig report examples/car_boot.toml out/car_boot
 
 test: .venv/installed-dev
 	$(BIN)/python -m pytest -n auto
+
+# What numbers and verdicts hang on, as on processors without AVX-512, and without AVX2.
+NUMERICAL := $(addprefix tests/test_,$(addsuffix .py,any_processor basis compiled construct curve envelope exact extremes far \
+	integrate layers nurbs properties quantity sample studio_numbers summary surface sweep_numbers sweep_unbounded unroll))
+
+test-processors: .venv/installed-dev
+	$(BIN)/python .ci/processor.py haswell -m pytest -n auto $(NUMERICAL)
+	$(BIN)/python .ci/processor.py generic -m pytest -n auto $(NUMERICAL)
 
 check: .venv/installed-dev
 	$(BIN)/ruff check .

@@ -9,8 +9,10 @@ import numpy as np
 import pytest
 
 import quintrig
+from catalogue import SURFACES
 from quintrig.quantity import BY_KEY, QUANTITIES
 from quintrig.studio import BUNDLE
+from random_models import RANDOM, displaced
 
 CASES = json.loads((Path(__file__).parent / "data" / "cases.json").read_text())
 KINDS = [
@@ -95,8 +97,42 @@ def every_job():
         yield {"model": model, "u": u.tolist(), "v": v.tolist()}
 
 
+def far_jobs():
+    """Every kind at distances, with shape parameters inside the range, near -4 and at it."""
+    random = np.random.default_rng(17)
+    for kind in (*RANDOM, "nurbs"):
+        for distance in (0.0, 1e3, 1e6, 1e9, 1e12):
+            for shape in SHAPES:
+                model = (
+                    dict(SURFACES["nurbs"].model) if kind == "nurbs" else {"kind": kind, **RANDOM[kind](random, 1.0)}
+                )
+                if kind != "nurbs":
+                    model["shape"] = shape[:2] if kind == "developable" else shape
+                if kind == "developable" and shape[0] < -3.5:  # its first ruling would run far away
+                    continue
+                beside = [[1e-3, 0.3, 0.999], [0.4, 0.998, 1e-3]]
+                u, v = np.concatenate([random.uniform(0.02, 0.98, (2, 6)), beside], axis=1).tolist()
+                moved = displaced(model, distance * np.array([1.0, -0.7, 0.4]))
+                yield {"model": json.loads(json.dumps(moved, default=np.ndarray.tolist)), "u": u, "v": v}
+
+
+def still_jobs():
+    """Kinds with edges at exactly -4, ever nearer to these."""
+    random = np.random.default_rng(23)
+    for kind in ("tensor", "symmetric", "swept", "swung", "ruled"):
+        for shape in ([-4.0] * 4, [-4.0, 0.5, -4.0, 1.0]):
+            model = {"kind": kind, **RANDOM[kind](random, 1.0), "shape": shape}
+            u = [1e-2, 1e-4, 1e-6, 0.3, 1e-5, 1.0 - 1e-4]
+            v = [0.3, 0.7, 0.4, 0.6, 1e-4, 0.2]
+            yield {"model": json.loads(json.dumps(model, default=np.ndarray.tolist)), "u": u, "v": v}
+
+
+SHAPES = ([0.5, -2.0, 1.0, 0.0], [-4.0 + 1e-4, -3.99, -4.0 + 1e-5, -3.999], [-4.0, 0.5, 0.0, -4.0])
 JOBS = list(every_job())
 FIRST_EDGE = len(JOBS) - len(EDGES)
+JOBS += far_jobs()
+FIRST_STILL = len(JOBS)
+JOBS += still_jobs()
 NAMES = [f"{i}-{job['model']['kind']}-{job['model'].get('shape', '')}" for i, job in enumerate(JOBS)]
 
 
@@ -161,6 +197,16 @@ def test_the_bundle_meets_the_exact_values_to_1e_11_of_the_curvedness(answers, i
         assert (np.abs(error) <= 1e-11 * scale**power).all(), key
 
 
+@pytest.mark.parametrize("index", range(FIRST_STILL, len(JOBS)), ids=NAMES[FIRST_STILL:])
+def test_the_bundle_loses_no_digits_beside_an_edge_that_stands_still(answers, index):
+    job = JOBS[index]
+    surface = quintrig.Model.from_dict(job["model"]).surface
+    sample = quintrig.analyse(surface, np.array(job["u"]), np.array(job["v"]))
+    for key, power in EXACT.items():
+        error = np.array(answers[index][0][key], float) - sample[key]
+        assert (np.abs(error) <= 1e-12 * sample["curvedness"] ** power).all(), key
+
+
 def compare(sample, found):
     assert set(found) == {q.key for q in QUANTITIES}
     if sample.size == 0.0:  # a single point: all else is the rounding of nothing
@@ -210,10 +256,11 @@ def natural_scales(sample):
     second = np.maximum(second, sample.size)
     speed, mixed, cross = e, np.sqrt(e * g), g
     one = np.ones_like(bend)
+    reach = 1e-4 * np.abs(sample.point).max()  # far out a point is as exact as its coordinates, to a few units
     steep = np.abs(sample["normal"][..., 2])
     with np.errstate(all="ignore"):
         scales = {
-            "point": one * sample.size, "normal": one, "shape_index": bend / sample["curvedness"],
+            "point": one * (sample.size + reach), "normal": one, "shape_index": bend / sample["curvedness"],
             "direction1": bend / (sample["k1"] - sample["k2"]), "direction2": bend / (sample["k1"] - sample["k2"]),
             "E": speed, "F": mixed, "G": cross, "L": second[2, 0], "M": second[1, 1], "N": second[0, 2],
             "gaussian": bend**2, "mean": bend, "k1": bend, "k2": bend, "curvedness": bend,

@@ -69,7 +69,7 @@ def limits(surface: Surface) -> dict[tuple[str, float], Limit] | None:
     rings = [_ring(surface, octave) for octave in (NEAR, NEARER)]
     if np.isnan(rings[1][2]).any():
         return None
-    noise = np.array(float(np.abs(surface(*grid(9, 9))).max()) / area)
+    noise = np.array(float(np.abs(surface.local_partials(*grid(9, 9), 0)).max()) / area)
     curved = rings[1][2][-1].max()
     u, v = rings[1][:2]
     result: dict[tuple[str, float], Limit] = {}

@@ -12,25 +12,31 @@ from quintrig.arrays import FloatArray, aligned
 from quintrig.basis import Trigonometric
 from quintrig.compiled import loop, scalar
 from quintrig.functions import Functions, Joined
-from quintrig.increments import increments, terms
+from quintrig.increments import MOVING, Still, increments, terms
 
 BLOCK = 64
 """Points in a block: 38 scratch rows of half a KiB stay in a level-1 cache beside the increments. Measured best of 32,
 48, 64, 72, 96 and 128."""
 
 
-def increment_blocks(functions: Functions, t: FloatArray, room: FloatArray | None = None) -> FloatArray:
+def increment_blocks(
+    functions: Functions, t: FloatArray, room: FloatArray | None = None, still: Still = MOVING
+) -> FloatArray:
     """Return derivatives 0 to 2 of all increments at ``t`` (n,), shape (blocks, 3, terms, BLOCK).
 
     The last block is filled up with the last point. The result lies in the flat array ``room`` where one is given.
+    Beside ends that are ``still`` second derivatives are those across the first, as ``increments.across`` says.
     """
     padded = pad(t)
     shape = (len(padded), 3, terms(functions), BLOCK)
     result: FloatArray = aligned(shape) if room is None else room[: math.prod(shape)].reshape(shape)
     if isinstance(functions, Trigonometric):
-        _trigonometric(padded, functions.alpha, functions.zeta, result.reshape(len(padded), -1))
+        flat = result.reshape(len(padded), -1)
+        _trigonometric(padded, functions.alpha, functions.zeta, flat)
+        if any(still):
+            _across(padded, functions.alpha, functions.zeta, *still, flat)
     elif isinstance(functions, Joined):
-        np.concatenate([increment_blocks(part, t) for part in functions.parts], axis=2, out=result)
+        np.concatenate([increment_blocks(part, t, None, still) for part in functions.parts], axis=2, out=result)
     else:
         result[...] = increments(functions, padded, 2).transpose(1, 0, 3, 2)
     return result
@@ -133,3 +139,37 @@ def _trigonometric(t: FloatArray, alpha: float, zeta: float, out: FloatArray) ->
             d[12 * BLOCK + k] = square * ((a * s - b * c) * middle + ab * (32.0 * twist + 2.0 * (c - s)))
             d[13 * BLOCK + k] = 12.0 * square * b * (b * twist + 2.0 * both * s)
             d[14 * BLOCK + k] = -square * h4
+
+
+@loop
+def _across(t: FloatArray, alpha: float, zeta: float, start: bool, end: bool, out: FloatArray) -> None:
+    """Put f (G/f)' in place of the derivatives of the hodograph functions G, f = s at a still start, c at a still end.
+
+    With f = 1 where an end moves, G = f g, and this is f g'; of G0 (G4) at a still start (end) the term 4 + α (4 + ζ)
+    is left out.
+    """
+    square = 0.25 * np.pi * np.pi
+    for block in range(t.shape[0]):
+        x = t[block]
+        d = out[block]
+        for k in range(BLOCK):
+            p, q = _half_angle(x[k])
+            r, w = _half_angle(1.0 - x[k])
+            near = x[k] < 0.5
+            s, c = 2.0 * p * q, 2.0 * r * w
+            a = 1.0 - s if near else 2.0 * r * r
+            b = 2.0 * p * p if near else 1.0 - c
+            # What stays of s and c, with their derivatives.
+            rise, rising = (1.0, 0.0) if start else (s, c)
+            fall, falling = (1.0, 0.0) if end else (c, -s)
+            left = (s if start else 1.0) * (c if end else 1.0) * square
+            both, twist = rise * fall, rising * fall + rise * falling
+            first, bend = (-5.0 * alpha, 0.0) if start else (4.0 + alpha - 5.0 * alpha * s, -5.0 * alpha * c)
+            last, turn = (-5.0 * zeta, 0.0) if end else (4.0 + zeta - 5.0 * zeta * c, 5.0 * zeta * s)
+            whole = 1.0 + s + c
+            middle, slope = 32.0 + 4.0 / whole, -4.0 * (c - s) / (whole * whole)
+            d[10 * BLOCK + k] = left * a * a * (first * (falling * a - 3.0 * fall * c) + fall * a * bend)
+            d[11 * BLOCK + k] = left * 12.0 * a * (a * twist - 2.0 * both * c)
+            d[12 * BLOCK + k] = left * (middle * (both * (a * s - b * c) + a * b * twist) + a * b * both * slope)
+            d[13 * BLOCK + k] = left * 12.0 * b * (b * twist + 2.0 * both * s)
+            d[14 * BLOCK + k] = left * b * b * (last * (rising * b + 3.0 * rise * s) + rise * b * turn)

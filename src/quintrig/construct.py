@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 from quintrig.arrays import FloatArray, frozen, number
 from quintrig.basis import BasisName, Bernstein, family, shape_parameter
 from quintrig.functions import Joined
+from quintrig.origin import local_origin, moved_plane
 from quintrig.surface import Net, Surface
 
 Shape = Sequence[float]
@@ -42,12 +43,8 @@ def tensor(
     With ``basis="bernstein"`` any (n, m, 3). Raises ValueError for wrong counts, values or shape parameters.
     """
     net = frozen(points, "points", (None, None, 3))
-    a1, z1, a2, z2 = _shape(shape, unchecked_shape)
-    _count(net, 0, "points", basis)
-    _count(net, 1, "points[0]", basis)
-    u = family(basis, net.shape[0], a1, z1, unchecked_shape)
-    v = family(basis, net.shape[1], a2, z2, unchecked_shape)
-    return Surface(Net(net, u), v, flip, net)
+    origin = local_origin(net)
+    return _tensor(net - origin, origin, shape, Options(basis=basis, flip=flip, unchecked_shape=unchecked_shape), net)
 
 
 def symmetric(
@@ -68,8 +65,10 @@ def symmetric(
     plane = frozen(mirror, "mirror", (4,))
     if basis == "trigonometric" and half.shape[:2] != (3, 6):
         raise ValueError(f"points: expected 3 rows of 6 points, found {half.shape[0]} rows of {half.shape[1]}")
-    net = np.concatenate([half, reflected(half, plane)[::-1]])
-    return tensor(net, shape, basis=basis, flip=flip, unchecked_shape=unchecked_shape)
+    origin = local_origin(half)
+    local, seen = half - origin, moved_plane(plane, origin)
+    net = np.concatenate([local, reflected(local, seen)[::-1]])
+    return _tensor(net, origin, shape, Options(basis=basis, flip=flip, unchecked_shape=unchecked_shape))
 
 
 def swept(
@@ -84,7 +83,12 @@ def swept(
     """Return the translational sweep S = C(u) + T(v) of two space curves of 6 points each (thesis §3.2.2)."""
     c = _polygon(section, "section", 3, basis)
     t = _polygon(trajectory, "trajectory", 3, basis)
-    return tensor(c[:, None] + t[None, :], shape, basis=basis, flip=flip, unchecked_shape=unchecked_shape)
+    origins = local_origin(c), local_origin(t)
+    local = (c - origins[0])[:, None] + (t - origins[1])[None, :]
+    steps = np.zeros_like(local)  # those of each curve, without the sum of both
+    steps[0, 0], steps[1:, 0], steps[0, 1:] = local[0, 0], np.diff(c, axis=0), np.diff(t, axis=0)
+    options = Options(basis=basis, flip=flip, unchecked_shape=unchecked_shape)
+    return _tensor(local, origins[0] + origins[1], shape, options, c[:, None] + t[None, :], steps)
 
 
 def swung(
@@ -105,7 +109,14 @@ def swung(
     x, y = _polygon(trajectory, "trajectory", 2, basis).T
     radius = number(scale, "scale") * r
     net = np.stack([np.outer(radius, x), np.outer(radius, y), np.outer(z, np.ones_like(x))], axis=-1)
-    return tensor(net, shape, basis=basis, flip=flip, unchecked_shape=unchecked_shape)
+    origin = local_origin(net)
+    # Increments of the profile times those of the trajectory.
+    along, across = (np.concatenate([values[:1], np.diff(values)]) for values in (radius, z))
+    around = [np.concatenate([values[:1], np.diff(values)]) for values in (x, y, np.ones_like(x))]
+    steps = np.stack([np.outer(a, b) for a, b in zip((along, along, across), around, strict=True)], axis=-1)
+    steps[0, 0] = net[0, 0] - origin
+    options = Options(basis=basis, flip=flip, unchecked_shape=unchecked_shape)
+    return _tensor(net - origin, origin, shape, options, net, steps)
 
 
 def ruled(
@@ -122,11 +133,12 @@ def ruled(
     b = _polygon(second, "second", 3, basis)
     a1, z1, a2, z2 = _shape(shape, unchecked_shape)
     functions = Joined((family(basis, len(a), a1, z1, unchecked_shape), family(basis, len(b), a2, z2, unchecked_shape)))
+    origin = local_origin(np.concatenate([a, b]))
     points = np.zeros((len(a) + len(b), 2, 3))
-    points[: len(a), 0] = a
-    points[len(a) :, 1] = b
+    points[: len(a), 0] = a - origin
+    points[len(a) :, 1] = b - origin
     net = np.stack([a, b], axis=1) if len(a) == len(b) else None
-    return Surface(Net(points, functions), Bernstein(1), flip, net)
+    return Surface(Net(points, functions), Bernstein(1), flip, net, origin=origin)
 
 
 def reflected(points: FloatArray, plane: FloatArray) -> FloatArray:
@@ -136,6 +148,25 @@ def reflected(points: FloatArray, plane: FloatArray) -> FloatArray:
     if not square > 0.0:
         raise ValueError("mirror: expected [a, b, c, d] with (a, b, c) not all zero, found a zero normal")
     return points - 2.0 * ((points @ normal + offset) / square)[..., None] * normal
+
+
+def _tensor(
+    local: FloatArray,
+    origin: FloatArray,
+    shape: Shape,
+    options: Options,
+    net: FloatArray | None = None,
+    steps: FloatArray | None = None,
+) -> Surface:
+    """Return the surface on points as seen from an origin, (n, m, 3); ``net`` holds them as they are, to be drawn."""
+    basis, unchecked = options["basis"], options["unchecked_shape"]
+    a1, z1, a2, z2 = _shape(shape, unchecked)
+    _count(local, 0, "points", basis)
+    _count(local, 1, "points[0]", basis)
+    u = family(basis, local.shape[0], a1, z1, unchecked)
+    v = family(basis, local.shape[1], a2, z2, unchecked)
+    frozen(local, "points", (None, None, 3))  # sums and products may have no finite value
+    return Surface(Net(local, u, steps), v, options["flip"], local + origin if net is None else net, origin=origin)
 
 
 def _shape(shape: Shape, unchecked: bool) -> tuple[float, float, float, float]:

@@ -7,8 +7,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from quintrig.arrays import FloatArray, frozen, number, parameter, whole
-from quintrig.basis import BasisName, family
+from quintrig.basis import BasisName, Trigonometric, family
 from quintrig.functions import Functions
+from quintrig.increments import standing, still_factor
+from quintrig.origin import local_origin
 from quintrig.pickled import Pickled
 
 _SINGULAR = 1e-13  # speed below this share of the polygon's length: the tangent is lost to rounding
@@ -57,14 +59,15 @@ class Curve(Pickled):
         """Return derivatives 0 to ``order`` by t, shape (order + 1, *t.shape, 2 or 3), length¹."""
         functions = self.functions.derivatives(parameter(t, "t"), whole(order, "order", 0))
         # The derivatives of a basis sum to 0, so that far from the origin they need not see how far.
-        result = functions @ (self.points - self.points[0])
-        result[0] = functions[0] @ self.points
+        origin = local_origin(self.points)
+        result = functions @ (self.points - origin)
+        result[0] += origin
         return result
 
     def curvature(self, t: ArrayLike) -> FloatArray:
         """Return the curvature |z' x z''| / |z'|³ >= 0, shape t.shape, length⁻¹; NaN where the speed vanishes."""
-        _, first, second = self.derivatives(t, 2)
-        return _norm(_cross(first, second)) / self._speed(first) ** 3
+        factor, first, second = self._hodograph(t, 2)
+        return _norm(_cross(first, second)) / (factor * self._speed(first, factor) ** 3)
 
     def signed_curvature(self, t: ArrayLike) -> FloatArray:
         """Return the signed curvature of a plane curve, positive where it turns left, length⁻¹.
@@ -73,18 +76,20 @@ class Curve(Pickled):
         """
         if self.points.shape[1] != 2:
             raise ValueError("signed_curvature: expected a plane curve (n x 2 points); in space use curvature")
-        _, first, second = self.derivatives(t, 2)
-        return (first[..., 0] * second[..., 1] - first[..., 1] * second[..., 0]) / self._speed(first) ** 3
+        factor, first, second = self._hodograph(t, 2)
+        turn = first[..., 0] * second[..., 1] - first[..., 1] * second[..., 0]
+        return turn / (factor * self._speed(first, factor) ** 3)
 
     def torsion(self, t: ArrayLike) -> FloatArray:
         """Return the torsion det(z', z'', z''') / |z' x z''|², length⁻¹; NaN where curvature or speed vanishes."""
-        _, first, second, third = self.derivatives(t, 3)
+        factor, first, second, third = self._hodograph(t, 3)
+        factor = np.where(np.isnan(self._speed(first, factor)), np.nan, factor)
         normal = _cross(first, second)
         square = (normal**2).sum(axis=-1)
         # Rounding of a vanishing cross product is of this size; below it the quotient means nothing.
         noise = (1e-13 * _norm(first) * np.maximum(_norm(second), self._polygon())) ** 2
         square = np.where(square <= noise, np.nan, square)
-        return (normal * _in_space(third)).sum(axis=-1) / square
+        return (normal * _in_space(third)).sum(axis=-1) / (factor * square)
 
     def length(self, start: float = 0.0, end: float = 1.0, tolerance: float = 1e-12) -> float:
         """Return the arc length between two parameters (negative when they are reversed), length¹.
@@ -117,9 +122,10 @@ class Curve(Pickled):
         ``scale`` is in length²; "auto" makes the longest tooth a quarter of the control polygon's length. NaN where the
         speed vanishes.
         """
-        point, first, second = self.derivatives(t, 2)
-        speed = self._speed(first)[..., None]
+        point, (factor, first, second) = self(t), self._hodograph(t, 2)
+        speed = self._speed(first, factor)[..., None]
         bend = second / speed**2 - first * ((first * second).sum(axis=-1, keepdims=True) / speed**4)
+        bend = bend / np.where(np.isnan(speed), np.nan, factor[..., None])
         if scale == "auto":
             longest = np.nanmax(_norm(bend), initial=0.0)
             straight = longest * self._polygon() <= 1e-10  # no teeth made of rounding
@@ -129,9 +135,24 @@ class Curve(Pickled):
     def _polygon(self) -> float:
         return float(_norm(np.diff(self.points, axis=0)).sum())
 
-    def _speed(self, first: FloatArray) -> FloatArray:
+    def _hodograph(self, t: ArrayLike, order: int) -> tuple[FloatArray, ...]:
+        """Return f, R and derivatives of R, ``order`` + 1 arrays, with z' = f R.
+
+        f is sin or cos where the curve stands still at an end, else 1. Beside such an end the derivatives of z are
+        nearly parallel, and their products cancel; those of R are not. By them z' x z" = f² R x R', and the product
+        det(z', z", ...) of three is f³ det(R, R', R").
+        """
+        t = parameter(t, "t")
+        if not isinstance(self.functions, Trigonometric):
+            return np.ones(t.shape), *self.derivatives(t, order)[1:]
+        steps = np.diff(self.points, axis=0)
+        still = standing(self.functions, steps)
+        return still_factor(t, still), *(self.functions.slopes(t, order - 1, *still) @ steps)
+
+    def _speed(self, first: FloatArray, factor: FloatArray) -> FloatArray:
+        """Return |R|, NaN where the speed f |R| vanishes."""
         speed = _norm(first)
-        return np.where(speed <= _SINGULAR * self._polygon(), np.nan, speed)
+        return np.where(factor * speed <= _SINGULAR * self._polygon(), np.nan, speed)
 
     def _lengths(self, low: FloatArray, high: FloatArray) -> FloatArray:
         nodes, weights = np.polynomial.legendre.leggauss(16)

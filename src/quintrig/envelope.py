@@ -1,7 +1,9 @@
 """The enveloping developable: the strip that a one-parameter family of planes touches (thesis §3.3)."""
 
+import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -9,11 +11,16 @@ from numpy.typing import ArrayLike
 from quintrig import taylor
 from quintrig.arrays import BoolArray, FloatArray, frozen, parameter
 from quintrig.basis import Bernstein, TangentBernstein, Trigonometric, shape_parameter
+from quintrig.origin import local_origin, moved_plane
 from quintrig.pickled import Pickled
 from quintrig.rational import homogeneous, wedge_points, without_factor
 from quintrig.surface import Net, Surface
 
 _FINE = 1e-10  # to which ends of intervals are bisected
+_APART = 1e-9  # by which the zeros of S_u x S_v at both boundaries differ where the edge crosses between two samples
+_WIDTHS = (1e-4, 1e-5, 1e-6)  # of the brackets around a zero: wide ones see its slope, narrow ones what lies near it
+_NODES = np.array([-8.0, -7.0, -6.0, -5.0, -2.0, -1.5, 1.5, 2.0, 5.0, 6.0, 7.0, 8.0])  # in widths from its middle
+_INNER = np.abs(_NODES) < 4.0
 _PARALLEL = 1e-6  # sine between the normals at both ends of a ruling, above which a surface is not developable
 _ALONG = 33  # rulings on which a surface must be developable, to rounding, for its edge of regression to be told
 _TURNED = 1e-9  # the sine from rounding alone
@@ -43,13 +50,15 @@ def developable(
         flat = np.flatnonzero(~(np.abs(vectors[:, :3]).max(axis=1) > 0.0))
         if len(flat):
             raise ValueError(f"{name}[{flat[0]}]: expected a plane [a, b, c, d], found one with a = b = c = 0")
-    rows = Envelope(family, cuts, Trigonometric(alpha, zeta, unchecked_shape))
+    functions = Trigonometric(alpha, zeta, unchecked_shape)
+    origin = _strip_origin(Envelope(family, cuts, functions))
+    rows = Envelope(family, cuts, functions, origin)
     if not rows.meets():
         raise ValueError(
             "planes: the control planes envelop no strip that the bounding planes cut (they are equal, parallel, or "
             "all contain one line that a bounding plane contains too); change the planes or the bounds"
         )
-    return Surface(rows, Bernstein(1), flip)
+    return Surface(rows, Bernstein(1), flip, origin=origin)
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,11 +68,13 @@ class Envelope(Pickled):
     With n and e the normals of Π and Π', and b that of a bounding plane, the boundary A satisfies n·A + d = 0 and
     n·A' = b·A' = 0, so A' = λ b x n with λ from the derivative of Π'. Worked out in this order, A' lies in the tangent
     plane whatever the rounding, and the strip keeps its accuracy near the edge of regression, where A' vanishes.
+    Points are as seen from ``origin``, and so are the planes that they are worked out from.
     """
 
     planes: FloatArray
     bounds: FloatArray
     functions: Trigonometric
+    origin: FloatArray = field(default_factory=lambda: np.zeros(3))
 
     @property
     def size(self) -> int:
@@ -83,7 +94,7 @@ class Envelope(Pickled):
         """
         plane, slope = self._dual(parameter(u, "u"), order)
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-            return taylor.derivatives(np.stack([_boundary(plane, slope, cut) for cut in self.bounds], axis=-2))
+            return taylor.derivatives(np.stack([_boundary(plane, slope, cut) for cut in self._local[1]], axis=-2))
 
     @property
     def homogeneous(self) -> Net:
@@ -92,10 +103,19 @@ class Envelope(Pickled):
         Π is of degree 10, so Π ∩ Π' is of degree 18, or 14 for α = ζ = 0. Where the family of planes stands still at an
         end, the ruling has a factor that is divided out.
         """
-        rulings = wedge_points(homogeneous(self.planes, self.functions.alpha, self.functions.zeta))
+        planes, bounds = self._local
+        rulings = wedge_points(homogeneous(planes, self.functions.alpha, self.functions.zeta))
         rulings = without_factor(rulings, _stationary(rulings[0]), _stationary(rulings[-1]))
-        points = np.stack([_meet(rulings, cut) for cut in self.bounds], axis=1)
+        points = np.stack([_meet(rulings, cut) for cut in bounds], axis=1)
         return Net(points, TangentBernstein(len(points) - 1))
+
+    @cached_property
+    def _local(self) -> tuple[FloatArray, FloatArray]:
+        """Planes and bounds as seen from the origin."""
+        return (
+            np.array([moved_plane(plane, self.origin) for plane in self.planes]),
+            np.array([moved_plane(plane, self.origin) for plane in self.bounds]),
+        )
 
     def meets(self) -> bool:
         """Return whether some ruling exists and meets both bounding planes in a point."""
@@ -106,16 +126,28 @@ class Envelope(Pickled):
 
     def _dual(self, u: FloatArray, order: int) -> tuple[FloatArray, FloatArray]:
         """Return the series of Π and of Π', the latter without the factors that vanish where Π stands still."""
-        edges = np.diff(self.planes, axis=0)
+        planes = self._local[0]
+        edges = np.diff(planes, axis=0)
         start = self.functions.alpha == -4.0 or not edges[0].any()
         end = self.functions.zeta == -4.0 or not edges[-1].any()
-        plane = self.functions.derivatives(u, order) @ self.planes
+        plane = self.functions.derivatives(u, order) @ planes
         functions = self.functions.slopes(u, order, start, end)
         slope = functions @ edges
         # Where the terms cancel to nothing the planes turn back, and rounding must not choose the ruling.
         terms = np.abs(functions[0]) @ np.abs(edges)
         slope[0, (np.abs(slope[0]) <= 64.0 * np.finfo(np.float64).eps * terms).all(axis=-1)] = np.nan
         return taylor.coefficients(plane), taylor.coefficients(slope)
+
+
+def _strip_origin(rows: Envelope) -> FloatArray:
+    """Return an origin near most of a strip: some of its points may lie as good as at infinity."""
+    points = rows.derivatives(np.linspace(0.0, 1.0, 17), 0)[0].reshape(-1, 3)
+    points = points[np.isfinite(points).all(axis=-1)]
+    if not len(points):
+        return np.zeros(3)
+    quarter, middle = len(points) // 4, len(points) // 2
+    ordered: FloatArray = np.sort(points, axis=0)
+    return local_origin(ordered[[quarter, middle + quarter]])
 
 
 @dataclass(frozen=True, eq=False)
@@ -133,6 +165,15 @@ class Regression:
     inside: BoolArray
     intervals: tuple[tuple[float, float], ...]
     still: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class _Crossing:
+    """The zeros of S_u x S_v at both boundaries between two samples, and whether they are apart, not one."""
+
+    low: float
+    high: float
+    apart: bool
 
 
 def regression(surface: Surface, samples: int = 513) -> Regression:
@@ -163,8 +204,8 @@ def regression(surface: Surface, samples: int = 513) -> Regression:
         from_first, from_second = squares[0] / (squares[0] - opposite), opposite / (opposite - squares[1])
     v = np.where(moves, np.where(squares[0] > squares[1], from_first, from_second), np.nan)
     narrow = _narrow(surface, u, larger, inside | ~moves)
-    intervals = _wide(surface, u, inside) + [(low, high) for low, high in narrow if high - low > 3.0 * _FINE]
-    still = [float(x) for x in u[~moves]] + [low for low, high in narrow if high - low <= 3.0 * _FINE]
+    intervals = _wide(surface, u, inside) + [(cross.low, cross.high) for cross in narrow if cross.apart]
+    still = [float(x) for x in u[~moves]] + [0.5 * (cross.low + cross.high) for cross in narrow if not cross.apart]
     return Regression(u, v, inside, tuple(sorted(intervals)), tuple(sorted(still)))
 
 
@@ -198,36 +239,77 @@ def _wide(surface: Surface, u: FloatArray, inside: BoolArray) -> list[tuple[floa
     intervals: list[tuple[float, float]] = []
     edges = np.flatnonzero(np.diff(np.concatenate([[False], inside, [False]]).astype(np.int8)))
     for start, end in zip(edges[::2], edges[1::2], strict=True):
-        low = float(u[0]) if start == 0 else _bisected(lies_inside, float(u[start - 1]), float(u[start]))
-        high = float(u[-1]) if end == len(u) else _bisected(lies_inside, float(u[end]), float(u[end - 1]))
+        low = float(u[0]) if start == 0 else _bisected(lies_inside, float(u[start - 1]), float(u[start]))[1]
+        high = float(u[-1]) if end == len(u) else _bisected(lies_inside, float(u[end]), float(u[end - 1]))[1]
         intervals.append((low, high))
     return intervals
 
 
-def _narrow(surface: Surface, u: FloatArray, normal: FloatArray, known: BoolArray) -> list[tuple[float, float]]:
+def _narrow(surface: Surface, u: FloatArray, normal: FloatArray, known: BoolArray) -> list[_Crossing]:
     """Return the intervals between two samples: there S_u x S_v turns to the other side, and vanishes on the way."""
     turned = ((normal[:-1] * normal[1:]).sum(-1) < 0.0) & ~known[:-1] & ~known[1:]
-    intervals: list[tuple[float, float]] = []
-    for k in np.flatnonzero(turned):
-        low, high = float(u[k]), float(u[k + 1])
-
-        def height(middle: float, side: int, k: int = int(k)) -> float:
-            return float((_areas(surface, np.array([middle]))[side] * normal[k]).sum())
-
-        ends = [_bisected(lambda x, s=side: height(x, s) <= 0.0, low, high) for side in (0, 1)]
-        # It turns at a pole of a boundary too, where it grows instead.
-        largest = [max(abs(height(low, side)), abs(height(high, side))) for side in (0, 1)]
-        if all(abs(height(end, side)) <= largest[side] for side, end in enumerate(ends)):
-            intervals.append((min(ends), max(ends)))
-    return intervals
+    found = [_crossing(surface, float(u[k]), float(u[k + 1]), normal[k]) for k in np.flatnonzero(turned)]
+    return [crossing for crossing in found if crossing is not None]
 
 
-def _bisected(holds: Callable[[float], bool], outside: float, inside: float) -> float:
-    """Return where ``holds`` becomes true between a parameter where it does not and one where it does."""
-    while abs(inside - outside) > _FINE:
+def _crossing(surface: Surface, low: float, high: float, normal: FloatArray) -> _Crossing | None:
+    """Return where the heights of S_u x S_v over ``normal`` vanish at the two boundaries; None where they have a pole.
+
+    Where the planes turn back, a boundary is a quotient of numbers that vanish, and what is found beside its zero is
+    rounding. So the zero is told, and placed, by a cubic through points on both sides of it, at the distance where it
+    is known best.
+    """
+    places: list[float] = []
+    doubt = 0.0
+    for side in (0, 1):
+
+        def height(x: FloatArray, side: int = side) -> FloatArray:
+            return (_areas(surface, x)[side] * normal).sum(-1)
+
+        outside, inside, zeros = low, high, list[tuple[float, float]]()
+        for width in _WIDTHS:
+            outside, inside = _bisected(lambda x, h=height: bool(h(np.array([x]))[0] <= 0.0), outside, inside, width)
+            zeros.append(_zero(height, 0.5 * (outside + inside), max(abs(inside - outside), 1e-9)))
+        off, place = min((off, place) for place, off in zeros)
+        if not math.isfinite(off):
+            return None
+        places.append(place)
+        doubt = max(doubt, off)
+    # Beyond what is found of both, with a margin, they are two zeros: the edge crosses between them.
+    return _Crossing(min(places), max(places), abs(places[1] - places[0]) > max(_APART, 8.0 * doubt))
+
+
+def _zero(height: Callable[[FloatArray], FloatArray], middle: float, width: float) -> tuple[float, float]:
+    """Return where a height vanishes near ``middle``, within ``width``, and how far it may be off; infinite at a pole.
+
+    A zero falls by three or more from the outer points to the inner ones, a pole grows by as much.
+    """
+    x = middle + width * _NODES
+    held = (x >= 0.0) & (x <= 1.0)
+    values = height(np.clip(x, 0.0, 1.0))
+    held &= np.isfinite(values)
+    inner, outer = (np.abs(values[held & part]) for part in (_INNER, ~_INNER))
+    if held.sum() < 6 or not len(inner) or not len(outer) or not inner.max() < outer.max():
+        return middle, math.inf
+    fit = np.polynomial.Polynomial.fit(_NODES[held], values[held], 3)
+    slope = abs(float(fit.deriv()(0.0)))
+    rest = float(np.abs(fit(_NODES[held]) - values[held]).max())
+    if not slope > 0.0:
+        return middle, math.inf
+    roots = fit.roots()
+    real = np.real(roots[np.abs(np.imag(roots)) <= 1.0])
+    at = float(real[np.abs(real).argmin()]) if len(real) else math.inf
+    return (middle + width * at, width * rest / slope) if abs(at) <= 2.0 else (middle, math.inf)
+
+
+def _bisected(
+    holds: Callable[[float], bool], outside: float, inside: float, width: float = _FINE
+) -> tuple[float, float]:
+    """Return parameters ``width`` apart where ``holds`` is false and true, from two that lie further apart."""
+    while abs(inside - outside) > width:
         middle = 0.5 * (outside + inside)
         outside, inside = (outside, middle) if holds(middle) else (middle, inside)
-    return inside
+    return outside, inside
 
 
 def _boundary(plane: FloatArray, slope: FloatArray, cut: FloatArray) -> FloatArray:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from quintrig.arrays import FloatArray, aligned, whole
 from quintrig.blocks import BLOCK, increment_blocks, pad
 from quintrig.functions import Functions
-from quintrig.increments import split, terms
+from quintrig.increments import MOVING, Still, split, standing, terms
 from quintrig.kernel import GRID, ROWS, driver
 from quintrig.planes import CODE_PLANES, CODE_SLOTS, FLOAT_PLANES, FLOAT_SLOTS, FULL, Addresses, Settings, finish, needs
 from quintrig.quantity import BY_KEY
@@ -57,8 +57,9 @@ def on_grid(surface: Surface, u: FloatArray, v: FloatArray, planes: Planes, thre
     if _is_wide(surface):
         _wide_grid(surface, u, v, planes, threads, at)
         return
-    rows = _flat(row_derivatives(surface, u))
-    blend = _flat(increment_blocks(surface.blend, v))
+    along, across = _still(surface)
+    rows = _flat(row_derivatives(surface, u, along))
+    blend = _flat(increment_blocks(surface.blend, v, still=across))
     drive, outputs = driver(terms(surface.blend), GRID), _outputs(planes, at)
     # Several pieces a thread, so that one that starts late or is interrupted does not keep the others waiting.
     pieces = min(len(u), 8 * threads if threads > 1 else 1)
@@ -104,23 +105,36 @@ def _wide_grid(surface: Surface, u: FloatArray, v: FloatArray, planes: Planes, t
     _spread(lambda: part, range(0, u.size, step), threads)
 
 
-def row_derivatives(surface: Surface, u: FloatArray) -> FloatArray:
-    """Return derivatives 0 to 2 of origin and row increments at u, shape (n, 3, 1 + terms, 3)."""
+def row_derivatives(surface: Surface, u: FloatArray, still: Still = MOVING) -> FloatArray:
+    """Return derivatives 0 to 2 of origin and row increments at u, shape (n, 3, 1 + terms, 3).
+
+    Beside ends that are ``still`` second derivatives are those across the first.
+    """
     rows = surface.rows
     if not isinstance(rows, Net):
-        return split(rows.derivatives(u, 2).transpose(2, 1, 0, 3), surface.blend).transpose(1, 2, 0, 3)
+        result = split(rows.derivatives(u, 2).transpose(2, 1, 0, 3), surface.blend).transpose(1, 2, 0, 3)
+        result[:, 0, 0] += surface.origin
+        return result
     net = _net(surface, rows)
-    blocks = increment_blocks(rows.functions, u)
+    blocks = increment_blocks(rows.functions, u, still=still)
     factors: FloatArray = np.zeros((len(blocks), BLOCK, 3, len(net)))
     factors[:, :, 0, 0] = 1.0  # of the origin
     factors[..., 1:] = blocks.transpose(0, 3, 1, 2)
     return (factors.reshape(-1, len(net))[: 3 * u.size] @ net).reshape(u.size, 3, -1, 3)
 
 
+def _still(surface: Surface) -> tuple[Still, Still]:
+    """Return at which ends all of the surface stands still, in u and in v."""
+    if not isinstance(surface.rows, Net):
+        return MOVING, MOVING
+    steps = surface.rows.increments(surface.blend)
+    return standing(surface.rows.functions, steps[1:]), standing(surface.blend, steps[:, 1:].swapaxes(0, 1))
+
+
 def _net(surface: Surface, rows: Net) -> FloatArray:
     """Return origin and increments of the control points both ways, ((1 + increments), (1 + terms) 3)."""
-    by_rows = split(rows.points, rows.functions).transpose(1, 0, 2)
-    both = split(by_rows, surface.blend).transpose(1, 0, 2)
+    both = rows.increments(surface.blend).copy()
+    both[0, 0] += surface.origin
     return both.reshape(len(both), -1)
 
 
@@ -134,17 +148,18 @@ def _inputs(surface: Surface, most: int) -> tuple[tuple[int, int], Callable[[Flo
         # In whole blocks, since NumPy sums a single point in another order.
         return _HANDED, lambda u, v: _handed_through(surface.partials(pad(u), pad(v), 2).reshape(3, 3, -1, 3))
     across = _room(blend, most)
+    still = _still(surface)
     if isinstance(rows, Net) and rows.functions.size <= _WIDEST:
         net, functions, along = _net(surface, rows).reshape(-1), rows.functions, _room(rows.functions, most)
         return (terms(blend), terms(functions)), lambda u, v: (
-            _flat(increment_blocks(functions, u, along)),
+            _flat(increment_blocks(functions, u, along, still[0])),
             net,
-            _flat(increment_blocks(blend, v, across)),
+            _flat(increment_blocks(blend, v, across, still[1])),
         )
 
     def apart(u: FloatArray, v: FloatArray) -> _Inputs:
-        blends = _flat(increment_blocks(blend, v, across))
-        derivatives = row_derivatives(surface, pad(u).reshape(-1)).reshape(len(blends), BLOCK, -1)
+        blends = _flat(increment_blocks(blend, v, across, still[1]))
+        derivatives = row_derivatives(surface, pad(u).reshape(-1), still[0]).reshape(len(blends), BLOCK, -1)
         return _flat(derivatives.transpose(0, 2, 1)), _NO_NET, blends
 
     return (terms(blend), ROWS), apart

@@ -114,9 +114,8 @@ def exact_surface(surface: Surface) -> ExactSurface:
     weights = np.outer(rows.weights, blend.weights)
     if surface.rational:
         control, weights = control[..., :3], control[..., 3]
-    return ExactSurface(
-        rows.basis, blend.basis, control / weights[..., None], weights, (rows.map, blend.map), flip=surface.flip
-    )
+    points = control / weights[..., None] + surface.origin
+    return ExactSurface(rows.basis, blend.basis, points, weights, (rows.map, blend.map), flip=surface.flip)
 
 
 def _strip(surface: Surface, rows: Envelope) -> ExactSurface:
@@ -135,7 +134,7 @@ def _strip(surface: Surface, rows: Envelope) -> ExactSurface:
     if parallel:
         control[:, 1, 3] = control[:, 0, 3]
     basis, control = _positive(control)
-    points, weights = control[..., :3] / control[..., 3:], control[..., 3]
+    points, weights = control[..., :3] / control[..., 3:] + surface.origin, control[..., 3]
     across = clamped([0.0, 1.0], 1, 1)
     return ExactSurface(
         basis, across, points, weights, (RIGHT_ANGLE, TangentMap()), projective=not parallel, flip=surface.flip

@@ -10,7 +10,12 @@ from numpy.typing import ArrayLike
 
 from quintrig.arrays import FloatArray
 from quintrig.basis import Trigonometric
-from quintrig.functions import Functions, Joined
+from quintrig.functions import Functions, Joined, sin_cos
+
+Still = tuple[bool, bool]
+"""Whether a curve or surface stands still at t = 0, and at t = 1."""
+
+MOVING: Still = (False, False)
 
 
 def terms(functions: Functions) -> int:
@@ -39,3 +44,34 @@ def split(points: FloatArray, functions: Functions) -> FloatArray:
     if functions.partition:
         return np.concatenate([points[:1], np.diff(points, axis=0)])
     return np.concatenate([np.zeros_like(points[:1]), points])
+
+
+def standing(functions: Functions, steps: FloatArray) -> Still:
+    """Return whether Σ F_i ΔP_i, with increments ``steps`` (terms, ...), stands still at either end.
+
+    It does where the shape parameter is -4 or the two control points there coincide; both families of a ruled surface
+    must.
+    """
+    if isinstance(functions, Joined):
+        edges = np.cumsum([terms(part) for part in functions.parts])[:-1]
+        pairs = zip(functions.parts, np.split(steps, edges), strict=True)
+        parts = [standing(part, own) for part, own in pairs]
+        return all(start for start, _ in parts), all(end for _, end in parts)
+    if not isinstance(functions, Trigonometric):
+        return MOVING
+    return functions.alpha == -4.0 or not steps[0].any(), functions.zeta == -4.0 or not steps[-1].any()
+
+
+def across(functions: Trigonometric, t: FloatArray, still: Still) -> FloatArray:
+    """Return f (G/f)' for the functions G of the hodograph, shape (*t.shape, 5), with f = sin and cos at still ends.
+
+    There S' = f R, and S'' = f' R + f R'. The first part runs along S' and drops out of every curvature, but as S'
+    nearly vanishes it is by far the larger one, and its rounding would not drop out.
+    """
+    return still_factor(t, still)[..., None] * functions.slopes(t, 1, *still)[1]
+
+
+def still_factor(t: FloatArray, still: Still) -> FloatArray:
+    """Return f(t): sin(πt/2) for a still start, times cos(πt/2) for a still end, else 1; shape t.shape."""
+    s, c = sin_cos(t)
+    return np.where(still[0], s, 1.0) * np.where(still[1], c, 1.0)

@@ -86,7 +86,6 @@ INTEGRALS: tuple[Quantity, ...] = (
 _LAST = 1e-14  # of the coordinates
 # Units in the last place that are no more than a point, as in ``cautions``
 _POINT = SINGULAR / np.finfo(np.float64).eps
-_ROUGH = 100.0  # units in the last place that a tolerance takes
 
 
 @dataclass(frozen=True)
@@ -129,14 +128,6 @@ class Integrals:
         if self.units <= _POINT:
             return ("The surface is a single point, to rounding: it has no curvature to integrate.",)
         notes: list[str] = []
-        rough = [row.name for row in INTEGRALS if self[row.key].status == "not converged"]
-        if rough and self.units * self.tolerance < _ROUGH:
-            notes.append(
-                f"The {', '.join(rough)} {'is' if len(rough) == 1 else 'are'} not resolved to the tolerance "
-                f"{self.tolerance:g} because of rounding: the size of the surface is only {self.units:.2g} units in "
-                "the last place of its coordinates; move it nearer to the origin."
-            )
-            rough = []
         for row in INTEGRALS:
             integral = self[row.key]
             if integral.status == "grows without bound":
@@ -144,7 +135,7 @@ class Integrals:
                     f"The {row.name} is probably infinite: every refinement adds to it, the last one "
                     f"{integral.error:.3g}, because the curvature is unbounded at a singular point or edge."
                 )
-            elif row.name in rough:
+            elif integral.status == "not converged":
                 notes.append(
                     f"The {row.name} is not resolved to the tolerance {self.tolerance:g}: the last two resolutions "
                     f"differ by {integral.error:.3g}, as beside a fold, a singular point or a sharp crease, or where "

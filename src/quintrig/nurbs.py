@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike
 
 from quintrig.arrays import FloatArray, frozen
 from quintrig.bspline import BSpline, normalised
+from quintrig.origin import local_origin
 from quintrig.surface import Net, Surface
 
 
@@ -37,16 +38,19 @@ def nurbs(
     u = _functions(knots[0], p, n, 0)
     v = _functions(knots[1], q, m, 1)
     loops = tuple(frozen(loop, f"trim[{i}]", (None, 2)) for i, loop in enumerate(trim))
+    origin = local_origin(net)
+    local = net - origin
+    plain = Surface(Net(local, u), v, flip, net, loops, origin)
     if weights is None:
-        return Surface(Net(net, u), v, flip, net, loops)
+        return plain
     w = frozen(weights, "weights", (n, m))
     if not (w > 0.0).all():
         i, j = np.argwhere(~(w > 0.0))[0]
         raise ValueError(f"weights[{i}][{j}]: expected a number greater than 0, found {w[i, j]:g}")
     if (w == w[0, 0]).all():
-        return Surface(Net(net, u), v, flip, net, loops)
-    homogeneous: FloatArray = np.concatenate([net * w[..., None], w[..., None]], axis=-1)
-    return Surface(Net(frozen(homogeneous, "points times weights"), u), v, flip, net, loops)
+        return plain
+    homogeneous: FloatArray = np.concatenate([local * w[..., None], w[..., None]], axis=-1)
+    return Surface(Net(frozen(homogeneous, "points times weights"), u), v, flip, net, loops, origin)
 
 
 def _functions(knots: ArrayLike, degree: int, count: int, axis: int) -> BSpline:

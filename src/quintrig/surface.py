@@ -1,7 +1,7 @@
 """The one surface type: rows Q_j(u), curves in u, blended by scalar functions D_j(v)."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from importlib import import_module
 from typing import Any, Protocol
@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from quintrig.arrays import BoolArray, FloatArray, locked, parameter, whole
 from quintrig.functions import Functions
+from quintrig.increments import increments, split
 from quintrig.pickled import Pickled
 
 
@@ -34,10 +35,15 @@ class Rows(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class Net(Pickled):
-    """Rows that share their functions: Q_j(u) = Σ_i f_i(u) P_ij, ``points`` of shape (i, j, 3 or 4), length¹."""
+    """Rows that share their functions: Q_j(u) = Σ_i f_i(u) P_ij, ``points`` of shape (i, j, 3 or 4), length¹.
+
+    ``steps`` holds the increments of the points both ways, as ``increments.split`` gives them, where the construction
+    knows them better than differences of rounded points do.
+    """
 
     points: FloatArray
     functions: Functions
+    steps: FloatArray | None = None
 
     def __post_init__(self) -> None:
         """Keep a copy of points that might change."""
@@ -58,6 +64,13 @@ class Net(Pickled):
         f = self.functions.derivatives(u, order)
         return (f @ self.points.reshape(len(self.points), -1)).reshape(*f.shape[:-1], *self.points.shape[1:])
 
+    def increments(self, blend: Functions) -> FloatArray:
+        """Return origin and increments of the points both ways, (1 + terms, 1 + terms of ``blend``, 3), length¹."""
+        if self.steps is not None:
+            return self.steps
+        by_rows = split(self.points, self.functions).transpose(1, 0, 2)
+        return split(by_rows, blend).transpose(1, 0, 2)
+
 
 _ON_LOOP = 1e-9  # parameters this near to a trim loop are on it
 
@@ -69,7 +82,7 @@ class Surface(Pickled):
     The normal points along S_u x S_v, against it when ``flip``. ``net`` is the control net to draw, shape (n, m, 3),
     where the construction has one. Rows in homogeneous coordinates make a rational surface: the blended point is
     divided by its own w. ``trim`` holds the closed loops (n, 2) of (u, v) that bound a face cut from the surface;
-    without any, all of it counts.
+    without any, all of it counts. Rows hold points as seen from ``origin`` (3,), length¹.
     """
 
     rows: Rows
@@ -77,9 +90,11 @@ class Surface(Pickled):
     flip: bool = False
     net: FloatArray | None = None
     trim: tuple[FloatArray, ...] = ()
+    origin: FloatArray = field(default_factory=lambda: np.zeros(3))
 
     def __post_init__(self) -> None:
-        """Check once that rows and blend go together, and keep a copy of a net that might change."""
+        """Check once that rows and blend go together, and keep a copy of arrays that might change."""
+        object.__setattr__(self, "origin", locked(self.origin))
         if self.net is not None:
             object.__setattr__(self, "net", locked(self.net))
         if self.rows.size != self.blend.size:
@@ -95,14 +110,31 @@ class Surface(Pickled):
         The result has shape (order + 1, order + 1, *broadcast of u and v, 3); entry [i, j] is ∂^(i+j)S / ∂u^i ∂v^j, so
         [1, 0] is S_u and [1, 1] is S_uv. Raises ValueError for NaN, parameters outside [0, 1] or a negative order.
         """
+        result = self.local_partials(u, v, order)
+        result[0, 0] += self.origin
+        return result
+
+    def local_partials(self, u: ArrayLike, v: ArrayLike, order: int = 2) -> FloatArray:
+        """Return the same as ``partials``, but points as seen from ``origin``."""
         order = whole(order, "order", 0)
         u, v = parameter(u, "u"), parameter(v, "v")
-        rows, blend = self.rows.derivatives(u, order), self.blend.derivatives(v, order)
-        if u.ndim == v.ndim == 2 and u.shape[1] == v.shape[0] == 1:
-            blended = np.einsum("pimx,qjm->pqijx", rows[:, :, 0], blend[:, 0], optimize=True)  # a matrix product
-        else:
-            blended = np.einsum("p...mx,q...m->pq...x", rows, blend)
-        return _projected(blended) if self.rational else blended
+        if self.rational:
+            return _projected(_blended(self.rows.derivatives(u, order), self.blend.derivatives(v, order)))
+        point = _blended(self.rows.derivatives(u, 0), self.blend.derivatives(v, 0))
+        if not order:
+            return point
+        # Derivatives see differences of neighbours only. (Points do not: edges meet those of neighbours exactly.)
+        result = _blended(self._increments(u, order), _with_one(increments(self.blend, v, order)))
+        result[0, 0] = point[0, 0]
+        return result
+
+    def _increments(self, u: FloatArray, order: int) -> FloatArray:
+        """Return derivatives of origin and row increments, (order + 1, *u.shape, 1 + terms, 3), length¹."""
+        if not isinstance(self.rows, Net):
+            rows = np.moveaxis(self.rows.derivatives(u, order), -2, 0)
+            return np.moveaxis(split(rows, self.blend), 0, -2)
+        net, functions = self.rows.increments(self.blend), _with_one(increments(self.rows.functions, u, order))
+        return (functions @ net.reshape(len(net), -1)).reshape(*functions.shape[:-1], *net.shape[1:])
 
     def inside(self, u: ArrayLike, v: ArrayLike) -> BoolArray:
         """Return which parameters lie inside the ``trim`` loops, shape of u and v broadcast; all where there are none.
@@ -149,7 +181,7 @@ class Surface(Pickled):
         Points that lie as good as at infinity, as where a ruling of a strip runs along a bounding plane, are left out.
         """
         t = np.linspace(0.0, 1.0, 17)
-        points = self(t[:, None], t[None, :]).reshape(-1, 3)
+        points = self.local_partials(t[:, None], t[None, :], 0)[0, 0].reshape(-1, 3)
         points = points[np.isfinite(points).all(axis=-1)]
         if not len(points):
             return 0.0
@@ -157,7 +189,22 @@ class Surface(Pickled):
         points = points[away <= (1e6 * _middle(away) or np.inf)]
         diagonal = float(np.linalg.norm(points.max(axis=0) - points.min(axis=0)))
         # What is left of a single point after rounding is no size.
-        return diagonal if diagonal > 32 * np.finfo(np.float64).eps * np.abs(points).max() else 0.0
+        reach = np.abs(points + self.origin).max()
+        return diagonal if diagonal > 32 * np.finfo(np.float64).eps * reach else 0.0
+
+
+def _with_one(functions: FloatArray) -> FloatArray:
+    """Return derivatives (order + 1, ..., n) of functions with those of 1 before them: that is the origin's."""
+    one = np.zeros((*functions.shape[:-1], 1))
+    one[0] = 1.0
+    return np.concatenate([one, functions], axis=-1)
+
+
+def _blended(rows: FloatArray, blend: FloatArray) -> FloatArray:
+    """Return Σ_m of row (p, *u.shape, m, x) times blend derivatives (q, *v.shape, m), (p, q, *broadcast, x)."""
+    if rows.ndim == 5 and blend.ndim == 4 and rows.shape[2] == blend.shape[1] == 1:
+        return np.einsum("pimx,qjm->pqijx", rows[:, :, 0], blend[:, 0], optimize=True)  # a matrix product
+    return np.einsum("p...mx,q...m->pq...x", rows, blend)
 
 
 def _middle(values: FloatArray) -> FloatArray:

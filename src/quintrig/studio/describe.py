@@ -2,8 +2,7 @@
 
 from typing import Any
 
-import numpy as np
-
+from quintrig.arrays import FloatArray
 from quintrig.basis import Bernstein, Trigonometric
 from quintrig.bspline import BSpline
 from quintrig.envelope import Envelope
@@ -45,25 +44,28 @@ def _keys(surface: Surface) -> dict[str, Any] | None:
         return None
     points = rows.points
     if isinstance(rows.functions, Joined) and surface.blend == Bernstein(1) and len(rows.functions.parts) == 2:
-        return _ruled(points, rows.functions.parts)
+        return _ruled(points, rows.functions.parts, surface.origin)
     pair = (rows.functions, surface.blend)
     shapes = [_shape(one) for one in pair]
     if points.shape[2] == 3 and all(shape is not None for shape in shapes):
         first, second = shapes[0] or (), shapes[1] or ()
         bernstein = not isinstance(pair[0], Trigonometric)
         if bernstein == (not isinstance(pair[1], Trigonometric)):
-            return _bezier({"kind": "tensor", "points": points.tolist()}, (*first, *second), bernstein)
+            return _bezier(
+                {"kind": "tensor", "points": (points + surface.origin).tolist()}, (*first, *second), bernstein
+            )
     if isinstance(pair[0], BSpline) and isinstance(pair[1], BSpline):
-        return _nurbs(points, pair[0], pair[1])
+        return _nurbs(points, pair[0], pair[1], surface.origin)
     return closed_form(surface)
 
 
-def _ruled(points: np.ndarray[Any, Any], parts: tuple[Functions, ...]) -> dict[str, Any] | None:
+def _ruled(points: FloatArray, parts: tuple[Functions, ...], origin: FloatArray) -> dict[str, Any] | None:
     shapes = [_shape(one) for one in parts]
     if any(shape is None for shape in shapes):
         return None
     n = parts[0].size
-    keys = {"kind": "ruled", "first": points[:n, 0].tolist(), "second": points[n:, 1].tolist()}
+    ends = {"first": points[:n, 0] + origin, "second": points[n:, 1] + origin}
+    keys = {"kind": "ruled", **{name: end.tolist() for name, end in ends.items()}}
     return _bezier(keys, (*(shapes[0] or ()), *(shapes[1] or ())), not isinstance(parts[0], Trigonometric))
 
 
@@ -81,9 +83,9 @@ def _shape(functions: Functions) -> tuple[float, ...] | None:
     return () if isinstance(functions, Bernstein) else None
 
 
-def _nurbs(points: np.ndarray[Any, Any], u: BSpline, v: BSpline) -> dict[str, Any]:
+def _nurbs(points: FloatArray, u: BSpline, v: BSpline, origin: FloatArray) -> dict[str, Any]:
     keys: dict[str, Any] = {"kind": "nurbs", "degrees": [u.degree, v.degree], "knots": [list(u.knots), list(v.knots)]}
     if points.shape[2] == 3:
-        return keys | {"points": points.tolist()}
+        return keys | {"points": (points + origin).tolist()}
     weights = points[..., 3]
-    return keys | {"points": (points[..., :3] / weights[..., None]).tolist(), "weights": weights.tolist()}
+    return keys | {"points": (points[..., :3] / weights[..., None] + origin).tolist(), "weights": weights.tolist()}

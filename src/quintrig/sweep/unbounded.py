@@ -44,7 +44,7 @@ def true_summaries(measure: Measure, widths: FloatArray, points: int, surface: S
     for number, (a, b, c, d) in enumerate(classes.tolist()):
         which = np.flatnonzero(member.reshape(-1) == number)
         result[which] = measure(which, drawn_nodes(points, a, b), drawn_nodes(points, c, d))
-    reach = float(np.abs(surface(*grid(9, 9))).max())  # which rounding is relative to
+    reach = float(np.abs(surface.local_partials(*grid(9, 9), 0)).max())  # which rounding is relative to
     nothing = result[:, _AREA] <= (SINGULAR * reach) ** 2
     singular = np.flatnonzero((result[:, _SINGULAR] > 0.0) & ~nothing)
     if singular.size:

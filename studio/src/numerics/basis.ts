@@ -7,19 +7,33 @@ export type BasisName = "trigonometric" | "bernstein";
 
 const s = jet(), c = jet(), a = jet(), b = jet(), one = jet();
 const a2 = jet(), b2 = jet(), both = jet(), factor = jet(), work = jet();
-const hodograph = jets(5);
+const hodograph = jets(5), across = jets(5);
 one[0] = 1;
+
+/** Whether a surface stands still at t = 0, and at t = 1. */
+export type Still = readonly [boolean, boolean];
+const MOVING: Still = [false, false];
 
 /** The six quintic trigonometric Bézier functions (Misro, Ramli and Ali 2017; thesis eq. 2.2). */
 export class Trigonometric implements Functions {
   readonly size = 6;
-  constructor(readonly alpha: number, readonly zeta: number) {}
+  constructor(readonly alpha: number, readonly zeta: number, readonly still: Still = MOVING) {}
 
-  /** Values are products that do not cancel, derivatives differences of the hodograph's functions. */
+  /**
+   * Values are products that do not cancel, derivatives differences of the hodograph's functions G. Beside still ends
+   * second derivatives are those across the first, f (G / f)' with f = sin or cos: what runs along the first drops out of
+   * every curvature, but its rounding would not.
+   */
   derivatives(t: Float64Array, n: number, out: Float64Array): void {
     const { alpha, zeta } = this;
     for (let p = 0; p < n; p++) {
+      const [start, end] = this.still;
       this.slopes(t[p]!, false, false, hodograph);
+      if (start || end) {
+        this.slopes(t[p]!, start, end, across);
+        const factor = (start ? s[0]! : 1) * (end ? c[0]! : 1);
+        for (let i = 0; i < 5; i++) hodograph[i]![1] = factor * across[i]![1]!;
+      }
       const s0 = s[0]!, c0 = c[0]!, a0 = a[0]!, b0 = b[0]!, near = t[p]! < 0.5, at = 6 * p;
       out[at] = a0 ** 4 * (near ? 1 - alpha * s0 : 1 - alpha + alpha * a0);
       out[at + 1] = s0 * a0 ** 3 * (near ? 4 + alpha - alpha * s0 : 4 + alpha * a0);
@@ -88,8 +102,14 @@ export class Bernstein implements Functions {
 }
 
 /** The basis called `name` for this many control points. */
-export function family(name: BasisName, points: number, alpha: number, zeta: number): Functions {
-  return name === "trigonometric" ? new Trigonometric(alpha, zeta) : new Bernstein(points - 1);
+export function family(name: BasisName, points: number, alpha: number, zeta: number, still = MOVING): Functions {
+  return name === "trigonometric" ? new Trigonometric(alpha, zeta, still) : new Bernstein(points - 1);
+}
+
+/** Whether a surface on these rows of points stands still at either end: as at -4, or where two rows coincide. */
+export function standing(alpha: number, zeta: number, rows: readonly (readonly (readonly number[])[])[]): Still {
+  const same = (i: number, k: number) => rows[i]!.every((point, j) => point.every((x, q) => x === rows[k]![j]![q]));
+  return [alpha === -4 || same(0, 1), zeta === -4 || same(rows.length - 1, rows.length - 2)];
 }
 
 /** C(n, k), exact as long as it is a safe integer. */

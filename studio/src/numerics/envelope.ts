@@ -2,19 +2,34 @@
 
 import { Bernstein, Trigonometric } from "./basis";
 import type { Vector } from "./construct";
+import { localOrigin, movedPlane } from "./origin";
 import type { Rows, Surface } from "./surface";
 import { jets } from "./taylor";
 
 /** The strip enveloped by Π(t) = Σ f_i(t; α, ζ) L_i between two bounding planes; Error where there is none. */
 export function developable(planes: readonly Vector[], bounds: readonly Vector[], shape: readonly number[], flip: boolean): Surface {
-  const rows = new Envelope(planes, bounds, new Trigonometric(shape[0]!, shape[1]!));
+  const functions = new Trigonometric(shape[0]!, shape[1]!);
+  const origin = stripOrigin(new Envelope(planes, bounds, functions));
+  const local = (plane: Vector) => movedPlane(plane, origin);
+  const rows = new Envelope(planes.map(local), bounds.map(local), functions);
   if (!rows.meets()) {
     throw new Error(
       "planes: the control planes envelop no strip that the bounding planes cut (they are equal, parallel, or all " +
         "contain one line that a bounding plane contains too); change the planes or the bounds",
     );
   }
-  return { rows, blend: new Bernstein(1), flip, net: null };
+  return { rows, blend: new Bernstein(1), flip, net: null, origin };
+}
+
+/** An origin near most of a strip: some of its points may lie as good as at infinity. */
+function stripOrigin(rows: Envelope): number[] {
+  const n = 17, u = Float64Array.from({ length: n }, (_, i) => i / (n - 1)), out = new Float64Array(18 * n);
+  rows.derivatives(u, n, out);
+  const points = Array.from({ length: 2 * n }, (_, p) => Array.from(out.subarray(3 * p, 3 * p + 3)));
+  const finite = points.filter((point) => point.every(Number.isFinite));
+  const sorted = [0, 1, 2].map((x) => finite.map((point) => point[x]!).sort((a, b) => a - b));
+  const at = (share: number) => sorted.map((values) => values[Math.floor(share * (values.length - 1))]!);
+  return finite.length ? localOrigin([at(0.25), at(0.75)]) : [0, 0, 0];
 }
 
 /**
@@ -59,6 +74,7 @@ class Envelope implements Rows {
     for (let p = 0; p < n; p++) {
       const { plane, slope } = this.dual(u[p]!, n, p);
       const [first, second] = [plane[0]!.slice(0, 3), slope[0]!.slice(0, 3)];
+      if (Number.isNaN(second[0]!)) continue;
       longest[0] = Math.max(longest[0]!, Math.hypot(...first));
       longest[1] = Math.max(longest[1]!, Math.hypot(...second));
       this.bounds.forEach((cut, j) => (volumes[j] = Math.max(volumes[j]!, Math.abs(dot(cross(first, second), cut)))));
@@ -76,6 +92,9 @@ class Envelope implements Rows {
       return k === 2 ? sum / 2 : sum;
     }));
     const slope = orders.map((k) => parts.map((x) => this.hodograph.reduce((sum, g, i) => sum + g[k]! * this.edges[i]![x]!, 0)));
+    // Where the terms cancel to nothing the planes turn back, and rounding must not choose the ruling.
+    const terms = parts.map((x) => this.hodograph.reduce((sum, g, i) => sum + Math.abs(g[0]! * this.edges[i]![x]!), 0));
+    if (parts.every((x) => Math.abs(slope[0]![x]!) <= 64 * Number.EPSILON * terms[x]!)) slope[0]!.fill(NaN);
     return { plane, slope };
   }
 }
@@ -108,7 +127,8 @@ export function regression(surface: Surface, samples = 257): Edge[] {
   const pairs = Array.from(u, (_, p) => jacobians(q, samples, p));
   // Where both vanish the whole ruling is singular, as at an end with shape parameter -4: no edge crosses there.
   const sizes = pairs.map(([a, b]) => Math.max(Math.abs(a), Math.abs(b)));
-  const least = 1e-12 * ([...sizes].sort((a, b) => a - b)[samples >> 1] ?? 0);
+  const known = sizes.filter((size) => !Number.isNaN(size)).sort((a, b) => a - b);
+  const least = 1e-12 * (known[known.length >> 1] ?? 0);
   const edges: Edge[] = [];
   let open = false;
   pairs.forEach(([a, b], p) => {

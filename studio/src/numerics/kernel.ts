@@ -39,6 +39,7 @@ export class Grid {
   private blend = new Float64Array(0);
   private u: Float64Array = new Float64Array(0);
   private v: Float64Array = new Float64Array(0);
+  private origin: readonly number[] = [0, 0, 0];
   /** S, S_u, S_v, S_uu, S_uv, S_vv of one point. */
   private readonly partials = new Float64Array(18);
 
@@ -59,6 +60,7 @@ export class Grid {
     this.nu = onGrid ? u.length : 1;
     this.nv = v.length;
     this.count = this.nu * this.nv;
+    this.origin = surface.origin ?? [0, 0, 0];
     const m = surface.rows.size, d = surface.rows.dimension;
     if (this.rows.length < 3 * u.length * m * d) this.rows = new Float64Array(3 * u.length * m * d);
     if (this.blend.length < 3 * v.length * m) this.blend = new Float64Array(3 * v.length * m);
@@ -166,9 +168,9 @@ export class Grid {
     s[9 * n + p] = sign * (ny * z - nz * y);
     s[10 * n + p] = sign * (nz * x - nx * z);
     s[11 * n + p] = sign * (nx * y - ny * x);
-    s[12 * n + p] = px;
-    s[13 * n + p] = py;
-    s[14 * n + p] = pz;
+    s[12 * n + p] = px + this.origin[0]!;
+    s[13 * n + p] = py + this.origin[1]!;
+    s[14 * n + p] = pz + this.origin[2]!;
     s[15 * n + p] = e;
     s[16 * n + p] = f;
     s[17 * n + p] = g;

@@ -2,6 +2,7 @@
 
 import { BSpline } from "./bspline";
 import { packed, type Vector } from "./construct";
+import { localOrigin, seenFrom } from "./origin";
 import { Net, type Surface } from "./surface";
 
 /** S = ΣΣ w_ij P_ij N_i(u) N_j(v) / ΣΣ w_ij N_i(u) N_j(v) (Piegl and Tiller 1997, eq. 4.11). */
@@ -13,8 +14,10 @@ export function nurbs(
   if (u.size !== net.n || v.size !== net.m) {
     throw new Error(`knots: expected ${net.n + degrees[0]! + 1} and ${net.m + degrees[1]! + 1}, found ${knots[0]!.length} and ${knots[1]!.length}`);
   }
+  const origin = localOrigin(points.flat());
+  const local = points.map((row) => row.map((point) => seenFrom(point, origin)));
   const first = weights?.[0]?.[0];
-  if (!weights || weights.every((row) => row.every((w) => w === first))) return { rows: new Net(net, u), blend: v, flip, net };
-  const homogeneous = points.map((row, i) => row.map((p, j) => [...p.map((x) => x * weights[i]![j]!), weights[i]![j]!]));
-  return { rows: new Net(packed(homogeneous), u), blend: v, flip, net };
+  if (!weights || weights.every((row) => row.every((w) => w === first))) return { rows: new Net(packed(local), u), blend: v, flip, net, origin };
+  const homogeneous = local.map((row, i) => row.map((p, j) => [...p.map((x) => x * weights[i]![j]!), weights[i]![j]!]));
+  return { rows: new Net(packed(homogeneous), u), blend: v, flip, net, origin };
 }

@@ -45,13 +45,14 @@ export class Net implements Rows {
 
 /**
  * S(u, v) = Σ_j Q_j(u) D_j(v) over [0, 1]²; the normal points along S_u × S_v, against it when `flip`. `net` is the
- * control net to draw. Homogeneous rows make a rational surface.
+ * control net to draw. Homogeneous rows make a rational surface. Rows hold points as seen from `origin`.
  */
 export interface Surface {
   readonly rows: Rows;
   readonly blend: Functions;
   readonly flip: boolean;
   readonly net: Points | null;
+  readonly origin?: readonly number[];
 }
 
 /** Which way the normal points, against or along S_u × S_v; closed forms turn it outwards by themselves. */
@@ -68,7 +69,7 @@ const away = new Float64Array(SIDE * SIDE);
  * lie as good as at infinity are left out.
  */
 export function extent(surface: Surface): { low: number[]; high: number[]; size: number } {
-  const { rows, blend } = surface;
+  const { rows, blend, origin = [0, 0, 0] } = surface;
   const m = rows.size, d = rows.dimension;
   const q = new Float64Array(3 * SIDE * m * d), f = new Float64Array(3 * SIDE * m);
   rows.derivatives(STEPS, SIDE, q);
@@ -102,7 +103,12 @@ export function extent(surface: Surface): { low: number[]; high: number[]; size:
       high[x] = Math.max(high[x]!, found[3 * p + x]!);
     }
   }
+  // From points near the origin of the surface, so that the size loses no digits to the distance.
   const diagonal = count ? Math.sqrt(low.reduce((total, value, x) => total + (high[x]! - value) ** 2, 0)) : 0;
+  for (let x = 0; x < 3; x++) {
+    low[x]! += origin[x]!;
+    high[x]! += origin[x]!;
+  }
   const largest = Math.max(...low.map(Math.abs), ...high.map(Math.abs));
   // What is left of a single point after rounding is no size.
   return { low, high, size: diagonal > 32 * Number.EPSILON * largest ? diagonal : 0 };
