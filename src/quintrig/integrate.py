@@ -18,7 +18,7 @@ from quintrig.beside import CURVATURES, limits
 from quintrig.envelope import inner_regression
 from quintrig.layers import Layers, find_layers
 from quintrig.noise import NOISE
-from quintrig.quadrature import NODES, Integral, Status, checked_tolerance, converge, graded, panel_sums
+from quintrig.quadrature import NODES, Integral, Status, affordable, checked_tolerance, converge, graded, panel_sums
 from quintrig.quantity import BY_KEY, Quantity, quantity
 from quintrig.sample import SINGULAR, Sample, analyse, grid
 from quintrig.surface import Surface
@@ -175,7 +175,7 @@ def integrals(surface: Surface, tolerance: float = 1e-9, panels: int = 64) -> In
         noise = np.array([NOISE * size**2, bent, plane, bent, (NOISE * size) ** 2, 1.0])
         return np.array([area, total, mean, bending, plate, undefined]), scales, noise + rounding
 
-    results, count = converge(measure, tolerance, panels)
+    results, count = converge(measure, tolerance, _affordable(panels, layers))
     units = size / float(np.spacing(reach)) if reach > 0.0 else 0.0
     undefined = 1.0 if units <= _POINT else min(results[5].value, 1.0)
     if undefined > 1.0 - 1e-9:
@@ -217,7 +217,7 @@ def area_means(surface: Surface, keys: Sequence[str], tolerance: float = 1e-5, p
         loose = 1e-2 * sizes + rounding  # the mean of |q| need only exist
         return np.append(means, sizes), np.append(np.fmax(sizes, natural), sizes), np.append(rounding, loose)
 
-    results, _ = converge(measure, tolerance, panels)
+    results, _ = converge(measure, tolerance, _affordable(panels, layers))
     pairs = zip(results[: len(keys)], results[len(keys) :], strict=True)
     # Where ∫|q| dA is infinite, halves of opposite sign may still cancel by symmetry: that is no mean.
     means = [mean if size.converged else replace(mean, status=size.status) for mean, size in pairs]
@@ -261,6 +261,10 @@ def _bounded(found: Integral) -> Integral:
 def _panels(count: int, layers: Layers) -> tuple[FloatArray, FloatArray]:
     """Return the ends of the panels in u and v, ``count`` a side and more where there are layers."""
     return graded(count, *layers[:2]), graded(count, *layers[2:])
+
+
+def _affordable(panels: int, layers: Layers) -> int:
+    return affordable(panels, lambda count: _panels(count, layers)) if panels > 2 else panels
 
 
 def _densities(surface: Surface, u: FloatArray, v: FloatArray) -> FloatArray:

@@ -17,6 +17,8 @@ from quintrig.arrays import BoolArray, FloatArray, number
 Status = Literal["converged", "not converged", "grows without bound", "undefined"]
 
 NODES = 16
+MOST_NODES = NODES**2 * 64**2
+"""Nodes of the last resolution: a few seconds of work."""
 _GRADING = 0.25  # 16 nodes see a pole at the near end of such a panel's neighbour to 1e-15
 _ROWS = 64  # rows of nodes evaluated at once, so that memory stays small
 
@@ -65,6 +67,19 @@ def _grades(panels: int, layer: float) -> FloatArray:
     """
     count = 0 if layer >= 1.0 else int(np.ceil(np.log(layer) / np.log(_GRADING)))
     return _GRADING ** np.arange(count, 0, -1) / panels
+
+
+def affordable(panels: int, ends: Callable[[int], tuple[FloatArray, FloatArray]]) -> int:
+    """Return the largest number of panels a side, at most ``panels`` and at least 2, that needs no more nodes.
+
+    ``ends`` gives the ends of the panels in u and v, for this many a side and more where they are graded.
+    """
+    while panels > 2:
+        u, v = ends(panels)
+        if NODES**2 * (len(u) - 1) * (len(v) - 1) <= MOST_NODES:
+            break
+        panels //= 2
+    return max(panels, 2)
 
 
 def panel_sums(density: Density, u: FloatArray, v: FloatArray) -> FloatArray:
