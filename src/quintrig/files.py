@@ -10,6 +10,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, cast
 
+from quintrig.durable import flush, make_folder, settle
 from quintrig.errors import QuintrigError
 
 
@@ -22,6 +23,7 @@ def write_whole(path: str | Path, data: bytes | str) -> Path:
     target = Path(path)
     with _draft(target, data) as draft:
         draft.replace(target)
+        settle(target.parent)
     return target
 
 
@@ -36,6 +38,7 @@ def write_first(path: Path, data: bytes | str) -> bool:
             if path.exists():
                 return False
             draft.replace(path)
+        settle(path.parent)
     return True
 
 
@@ -46,10 +49,11 @@ def _draft(target: Path, data: bytes | str) -> Generator[Path]:
         raise QuintrigError(f"{target}: expected the name of a file to write, found a folder; add a file name")
     temporary = ""
     try:
-        target.parent.mkdir(parents=True, exist_ok=True)
+        make_folder(target.parent)
         handle, temporary = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
         with os.fdopen(handle, "wb") as file:
             file.write(data.encode() if isinstance(data, str) else data)
+            flush(file)
         Path(temporary).chmod(0o666 & ~_umask())
         yield Path(temporary)
     except OSError as error:

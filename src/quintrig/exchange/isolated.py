@@ -17,6 +17,9 @@ LARGEST = 512 * 2**20
 
 _MEMORY = 16 * 2**30  # bytes of address space for the reading process
 
+_STOPPED = {1: "its terminal closed", 2: "interrupted", 9: "killed, perhaps for want of memory", 15: "terminated"}
+"""Signals that are no fault of the file, in words."""
+
 SUFFIXES = (".step", ".stp", ".iges", ".igs", ".brep", ".3dm")
 """Endings of the files that hold CAD surfaces."""
 
@@ -34,6 +37,8 @@ def read(path: Path, seconds: float = SECONDS) -> Contents:
             done = subprocess.run(command, capture_output=True, stdin=subprocess.DEVNULL, timeout=seconds, check=False)
         except subprocess.TimeoutExpired:
             raise QuintrigError(f"{path}: reading took more than {seconds:g} s; export fewer faces") from None
+        if not answer.exists() and -done.returncode in _STOPPED:
+            raise QuintrigError(f"{path}: reading was stopped from outside ({_STOPPED[-done.returncode]}); try again")
         if not answer.exists():
             # A crash in C++ leaves a signal or a code, and nothing that would help the user.
             how = f"signal {-done.returncode}" if done.returncode < 0 else f"code {done.returncode}"
