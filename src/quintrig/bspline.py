@@ -10,6 +10,9 @@ from quintrig.arrays import FloatArray, frozen, parameter
 HIGHEST_DEGREE = 25
 """Highest degree that CAD kernels exchange."""
 
+CLOSEST = 1e-14
+"""Least distance of two knots that are not equal, the domain being 1: nearer ones leave a parameter no digits."""
+
 
 @dataclass(frozen=True)
 class BSpline:
@@ -33,6 +36,13 @@ class BSpline:
         _check_rising(knots)
         if knots[p] != 0.0 or knots[-p - 1] != 1.0:
             raise ValueError(f"knots: expected the domain [0, 1], found [{knots[p]:g}, {knots[-p - 1]:g}]")
+        close = np.flatnonzero((np.diff(knots) > 0.0) & (np.diff(knots) < CLOSEST))
+        if len(close):
+            i = int(close[0]) + 1
+            raise ValueError(
+                f"knots[{i}]: expected neighbouring knots that are equal or at least {CLOSEST:g} of the domain apart, "
+                f"found {knots[i] - knots[i - 1]:.3g}"
+            )
         wide = knots[p + 1 :] - knots[: -p - 1]
         inner = knots[1:-1]
         if not (wide > 0.0).all() or (p < len(inner) and not (inner[p:] - inner[:-p] > 0.0).all()):

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -209,6 +209,7 @@ def regression(surface: Surface, samples: int = 513) -> Regression:
     return Regression(u, v, inside, tuple(sorted(intervals)), tuple(sorted(still)))
 
 
+@lru_cache(maxsize=4)  # asked by integrals and cautions of one surface
 def inner_regression(surface: Surface) -> Regression | None:
     """Return the edge of regression where it lies inside the strip of a developable; None for all other surfaces."""
     if surface.blend != Bernstein(1):

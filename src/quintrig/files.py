@@ -9,6 +9,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, BinaryIO, cast
 
+from quintrig.durable import flush, make_folder, settle
 from quintrig.errors import QuintrigError
 from quintrig.parsing import LARGEST_FILE, parse
 
@@ -46,6 +47,7 @@ def write_whole(path: str | Path, data: bytes | str) -> Path:
     real = Path(os.path.realpath(target)) if target.is_symlink() else target
     with _draft(real, data) as draft:
         draft.replace(real)
+        settle(real.parent)
     return target
 
 
@@ -60,6 +62,7 @@ def write_first(path: Path, data: bytes | str) -> bool:
             if path.exists():
                 return False
             draft.replace(path)
+        settle(path.parent)
     return True
 
 
@@ -69,10 +72,11 @@ def _draft(target: Path, data: bytes | str) -> Generator[Path]:
     _refuse_special(target)
     temporary = ""
     try:
-        target.parent.mkdir(parents=True, exist_ok=True)
+        make_folder(target.parent)
         handle, temporary = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
         with os.fdopen(handle, "wb") as file:
             file.write(data.encode() if isinstance(data, str) else data)
+            flush(file)
         _dress(Path(temporary), target)
         yield Path(temporary)
     except (OSError, UnicodeError) as error:

@@ -251,7 +251,9 @@ def _patch(keys: dict[str, Any], name: str, folder: Path | None) -> Patch:
         if not isinstance(definition, Bezier) or definition.basis == "trigonometric":
             for key, counts in form.counts.items():
                 _check_counts(getattr(definition, key), counts, key)
-        return Patch(name, definition, definition.surface())
+        surface = definition.surface()
+        _ = surface.size  # which refuses what is too large or too small to compute with
+        return Patch(name, definition, surface)
     except ValidationError as error:
         raise ModelError(f"{place}: {explain(error, form, keys)}") from None
     except ValueError as error:

@@ -11,6 +11,11 @@ from quintrig.bspline import BSpline, normalised
 from quintrig.origin import local_origin
 from quintrig.surface import Net, Surface
 
+LARGEST_RATIO = 1e6
+"""Largest ratio of two weights: a surface squeezed more than this by one of them counts as singular, to rounding."""
+
+_FACTOR = f"{LARGEST_RATIO:,.0f}"
+
 
 def nurbs(
     points: ArrayLike,
@@ -43,14 +48,26 @@ def nurbs(
     plain = Surface(Net(local, u), v, flip, net, loops, origin)
     if weights is None:
         return plain
-    w = frozen(weights, "weights", (n, m))
-    if not (w > 0.0).all():
-        i, j = np.argwhere(~(w > 0.0))[0]
-        raise ValueError(f"weights[{i}][{j}]: expected a number greater than 0, found {w[i, j]:g}")
+    w = _weights(weights, n, m)
     if (w == w[0, 0]).all():
         return plain
     homogeneous: FloatArray = np.concatenate([local * w[..., None], w[..., None]], axis=-1)
     return Surface(Net(frozen(homogeneous, "points times weights"), u), v, flip, net, loops, origin)
+
+
+def _weights(weights: ArrayLike, n: int, m: int) -> FloatArray:
+    """Return the weights (n, m), the largest from 1 to 2: a common factor, here a power of 2, changes no point."""
+    w = frozen(weights, "weights", (n, m))
+    if not (w > 0.0).all():
+        i, j = np.argwhere(~(w > 0.0))[0]
+        raise ValueError(f"weights[{i}][{j}]: expected a number greater than 0, found {w[i, j]:g}")
+    least, most = (np.unravel_index(at, w.shape) for at in (w.argmin(), w.argmax()))
+    if w[most] > LARGEST_RATIO * w[least]:
+        raise ValueError(
+            f"weights[{least[0]}][{least[1]}]: expected weights within a factor of {_FACTOR} of each other, found "
+            f"{w[least]:g} beside weights[{most[0]}][{most[1]}] = {w[most]:g}; beyond it curvature is lost to rounding"
+        )
+    return np.ldexp(w, 1 - int(np.frexp(w[most])[1]))
 
 
 def _functions(knots: ArrayLike, degree: int, count: int, axis: int) -> BSpline:

@@ -72,6 +72,14 @@ class Net(Pickled):
         return split(by_rows, blend).transpose(1, 0, 2)
 
 
+LARGEST_SIZE = 1e30
+"""Largest size of a surface: verdicts multiply up to eight lengths, and must not overflow."""
+
+SMALLEST_SIZE = 1.0 / LARGEST_SIZE
+"""Smallest size of a surface that is no point: those products must not underflow either."""
+
+_SIZES = f"a surface from {SMALLEST_SIZE:g} to {LARGEST_SIZE:g} across, or a single point"
+_REMEDY = "take another unit of length or other numbers"
 _ON_LOOP = 1e-9  # parameters this near to a trim loop are on it
 
 
@@ -179,15 +187,23 @@ class Surface(Pickled):
         """Diagonal of the bounding box of 17 x 17 points of the surface, length¹: the scale of all thresholds.
 
         Points that lie as good as at infinity, as where a ruling of a strip runs along a bounding plane, are left out.
+        Raises ValueError where it is not in the range in which products of many lengths neither over- nor underflow.
         """
         t = np.linspace(0.0, 1.0, 17)
-        points = self.local_partials(t[:, None], t[None, :], 0)[0, 0].reshape(-1, 3)
-        points = points[np.isfinite(points).all(axis=-1)]
+        with np.errstate(over="ignore", invalid="ignore"):  # what that leaves is refused below
+            points = self.local_partials(t[:, None], t[None, :], 0)[0, 0].reshape(-1, 3)
+        finite = np.isfinite(points).all(axis=-1)
+        if isinstance(self.rows, Net) and not finite.all():
+            raise ValueError(f"size: expected {_SIZES}, found points that are not finite; {_REMEDY}")
+        points = points[finite]
         if not len(points):
             return 0.0
-        away = np.abs(points - _middle(points)).max(axis=-1)
-        points = points[away <= (1e6 * _middle(away) or np.inf)]
-        diagonal = float(np.linalg.norm(points.max(axis=0) - points.min(axis=0)))
+        if not isinstance(self.rows, Net):
+            away = np.abs(points - _middle(points)).max(axis=-1)
+            points = points[away <= (1e6 * _middle(away) or np.inf)]
+        diagonal = math.hypot(*(points.max(axis=0) - points.min(axis=0)).tolist())
+        if diagonal > LARGEST_SIZE or 0.0 < diagonal < SMALLEST_SIZE:
+            raise ValueError(f"size: expected {_SIZES}, found {diagonal:.3g}; {_REMEDY}")
         # What is left of a single point after rounding is no size.
         reach = np.abs(points + self.origin).max()
         return diagonal if diagonal > 32 * np.finfo(np.float64).eps * reach else 0.0

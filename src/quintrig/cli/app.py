@@ -35,7 +35,7 @@ _EPILOG = "\n".join(
         "  [cyan]quintrig report lid.toml out/lid[/cyan]",
         "",
         "[dim]Exit codes: 0 done; 1 check --strict found problems; 2 a mistake in the command or the model; "
-        "70 a fault in quintrig; 130 interrupted.[/dim]",
+        "70 a fault in quintrig; 130 interrupted, 143 terminated.[/dim]",
     )
 )
 

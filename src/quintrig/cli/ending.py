@@ -1,8 +1,12 @@
 """How a run ends: mistakes told in one line on stderr, exit codes, nothing more."""
 
+import signal
 import sys
+import threading
 import traceback
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Generator, Sequence
+from contextlib import contextmanager
+from types import FrameType
 
 import typer
 
@@ -11,9 +15,42 @@ from quintrig.errors import ModelError, QuintrigError, printable
 FOUND, MISTAKE, FAULT, INTERRUPTED = 1, 2, 70, 130
 """Exit codes: a check found problems, the user's mistake, a fault of quintrig, Ctrl-C."""
 
+_STOPS = tuple(getattr(signal, name) for name in ("SIGTERM", "SIGHUP") if hasattr(signal, name))
+"""Signals that stop a run as Ctrl-C does; the exit code is 128 and their number."""
+
 
 def run(build: Callable[[], typer.Typer], arguments: Sequence[str]) -> int:
     """Run the application and return the exit code; a mistake of the user is told in one line on stderr."""
+    with _stoppable() as stopped:
+        code = _run(build, arguments)
+    return 128 + stopped[0] if stopped and code == INTERRUPTED else code
+
+
+@contextmanager
+def _stoppable() -> Generator[list[int]]:
+    """Let signals that would end the process at once interrupt it as Ctrl-C does, so that it cleans up.
+
+    Yields the signals that came. A second one does not disturb the cleaning. Signals that are ignored stay so.
+    """
+    came: list[int] = []
+
+    def stop(number: int, _frame: FrameType | None) -> None:
+        came.append(number)
+        if len(came) == 1:
+            raise KeyboardInterrupt
+
+    main = threading.current_thread() is threading.main_thread()  # only there signals may be handled
+    handled = [number for number in _STOPS if main and signal.getsignal(number) == signal.SIG_DFL]
+    for number in handled:
+        signal.signal(number, stop)
+    try:
+        yield came
+    finally:
+        for number in handled:
+            signal.signal(number, signal.SIG_DFL)
+
+
+def _run(build: Callable[[], typer.Typer], arguments: Sequence[str]) -> int:
     debug = "--debug" in arguments
     _prepare_streams()
     try:

@@ -86,6 +86,8 @@ def sweep(
     else:
         found = _begun(model, vary or [], output, sampling, samples, seed, points=points, patch=patch)
         question.check(found.task.space)  # before the work, not after it
+        if found.repaired:
+            session.remark(f"{found.folder}: {', '.join(found.repaired)} damaged; made anew")
         _run(found, scheduler)
     _answer(found, question, top, plot)
 
@@ -159,7 +161,9 @@ def _answer(found: "Sweep", question: "Question", top: int, plot: Path | None) -
 
     unfinished = len(found.missing())
     if unfinished:
-        session.messages().print(f"{unfinished} of {found.parts} parts are missing: the answer is of the others")
+        session.messages().print(
+            f"{unfinished} of {found.parts} parts are missing or cut off: the answer is of the others"
+        )
     matching = count(found, question)
     surface = found.task.built().surface
     session.emit(f"{matching:,} of {found.task.space.count:,} designs; {orientation(surface)}")

@@ -23,6 +23,9 @@ _MEMORY, _MEMORY_A_BYTE, _MOST_MEMORY = 2 * 2**30, 100, 16 * 2**30
 _PATIENCE = 3.0  # times the processor time, on a machine that is busy
 _TRIES = 12  # processes that one file may bring down
 
+_STOPPED = {1: "its terminal closed", 2: "interrupted", 9: "killed, perhaps for want of memory", 15: "terminated"}
+"""Signals that are no fault of the file, in words."""
+
 SUFFIXES = (".step", ".stp", ".iges", ".igs", ".brep", ".3dm")
 """Endings of the files that hold CAD surfaces."""
 
@@ -95,6 +98,8 @@ def _tried(
             return told, 0, ""
         if -done.returncode == getattr(signal, "SIGXCPU", None):
             return None, _stage(answer), ""
+        if -done.returncode in _STOPPED:
+            raise QuintrigError(f"{path}: reading was stopped from outside ({_STOPPED[-done.returncode]}); try again")
         # A crash in C++ leaves a signal or a code, and nothing that would help the user.
         how = f"signal {-done.returncode}" if done.returncode < 0 else f"code {done.returncode}"
         return None, _stage(answer), how

@@ -91,8 +91,8 @@ def _collected(sweep: Sweep, question: Question, last: "Callable[[pl.LazyFrame],
         raise QuintrigError(f"{sweep.folder}: holds no finished part yet; run the sweep first")
     try:
         return last(question.on(pl.scan_parquet(files, glob=False))).collect()
-    except (pl.exceptions.PolarsError, OSError) as error:
+    except (pl.exceptions.PolarsError, pl.exceptions.PanicException, OSError) as error:
         reason = (str(error).splitlines() or [""])[0][:200]
         raise QuintrigError(
-            f"{sweep.folder}: cannot be read ({reason}); delete the part that is broken and run the sweep again"
+            f"{sweep.folder}: cannot be read ({reason}); give the command that began the sweep again, which repairs it"
         ) from None
