@@ -12,7 +12,7 @@ test: .venv/installed-dev
 
 # What numbers and verdicts hang on, as on processors without AVX-512, and without AVX2.
 NUMERICAL := $(addprefix tests/test_,$(addsuffix .py,any_processor basis compiled construct curve envelope exact extremes far \
-	integrate layers nurbs properties quantity sample studio_numbers summary surface sweep_numbers sweep_unbounded unroll))
+	integrate layers nurbs properties quantity sample studio_numbers summary surface sweep_numbers still_edges sweep_unbounded unroll))
 
 test-processors: .venv/installed-dev
 	$(BIN)/python .ci/processor.py haswell -m pytest -n auto $(NUMERICAL)
