@@ -5,6 +5,7 @@ import signal
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -117,7 +118,7 @@ def test_a_file_and_the_folders_that_name_it_are_on_the_disk_before_it_counts_as
     real = os.fsync
 
     def fsync(handle):
-        synced.append(os.readlink(f"/proc/self/fd/{handle}") if sys.platform == "linux" else str(handle))
+        synced.append(str(Path(f"/proc/self/fd/{handle}").readlink()) if sys.platform == "linux" else str(handle))
         real(handle)
 
     monkeypatch.setattr(durable.os, "fsync", fsync)
@@ -137,7 +138,8 @@ posix = pytest.mark.skipif(sys.platform == "win32", reason="has no such signals"
 
 def started(tmp_path, script, *arguments):
     """Start quintrig after a script that may hold it somewhere; wait until it says so."""
-    command = f"{script}\nfrom quintrig.cli import main\nmain()"
+    heard = "import signal\nsignal.signal(signal.SIGINT, signal.default_int_handler)\n"  # nohup may have silenced it
+    command = f"{heard}{script}\nfrom quintrig.cli import main\nmain()"
     environment = {**os.environ, "TMPDIR": str(tmp_path)}
     process = subprocess.Popen(
         [sys.executable, "-c", command, *map(str, arguments)],
@@ -145,7 +147,6 @@ def started(tmp_path, script, *arguments):
         stderr=subprocess.PIPE,
         text=True,
         env=environment,
-        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),
     )
     deadline = time.monotonic() + 60.0
     while not (tmp_path / "held").exists():

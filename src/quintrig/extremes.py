@@ -102,6 +102,25 @@ def find_extremes(
     Raises ValueError for an unknown or vector quantity, or fewer than 2 samples.
     """
     means = area_means(surface, keys)
+    found = find_ends(surface, keys, samples)
+    sample = analyse(surface, *grid(samples, samples), tuple(dict.fromkeys((*keys, "curvedness"))))
+    curved = sample["curvedness"]
+    results: dict[str, Extremes] = {}
+    for key in keys:
+        values = _without_rounding(sample[key], curved, surface.size, key)
+        defined = np.isfinite(values)
+        mean = float(values[defined].mean()) if defined.any() else np.nan
+        results[key] = Extremes(
+            key, *found[key], means[key], mean, values.size, int((~defined).sum()), orientation(surface)
+        )
+    return results
+
+
+def find_ends(surface: Surface, keys: Sequence[str], samples: int = 65) -> dict[str, tuple[Extreme, Extreme]]:
+    """Return minimum and maximum of scalar quantities, by key, without the means, which take longer.
+
+    Raises ValueError as ``find_extremes`` does.
+    """
     u, v = grid(samples, samples)
     sample = analyse(surface, u, v, tuple(dict.fromkeys((*keys, "curvedness"))))
     curved = sample["curvedness"]
@@ -109,7 +128,7 @@ def find_extremes(
     # Where C itself vanishes its own rounding is the measure.
     curved_at = np.maximum(curved, 1e-5 * typical)
     beside = _beside(surface, curved)
-    results: dict[str, Extremes] = {}
+    results: dict[str, tuple[Extreme, Extreme]] = {}
     for key in keys:
         values = _without_rounding(sample[key], curved, surface.size, key)
         defined = np.isfinite(values)
@@ -121,10 +140,7 @@ def find_extremes(
         else:
             minimum = _extreme(surface, key, values, 1.0, natural, beside)
             maximum = _extreme(surface, key, values, -1.0, natural, beside)
-        mean = float(values[defined].mean()) if defined.any() else np.nan
-        results[key] = Extremes(
-            key, minimum, maximum, means[key], mean, values.size, int((~defined).sum()), orientation(surface)
-        )
+        results[key] = minimum, maximum
     return results
 
 

@@ -12,6 +12,7 @@ from quintrig.errors import printable
 if TYPE_CHECKING:
     from quintrig.arrays import FloatArray
     from quintrig.sweep.query import Question
+    from quintrig.sweep.refine import Refined
     from quintrig.sweep.store import Sweep
 
 _EPILOG = session.examples(
@@ -27,6 +28,7 @@ _EPILOG = session.examples(
 )
 
 
+_PLOTTED = 100  # designs of a picture, at most, whose extremes are refined too
 _NAMES, _VALUE = 32, 14  # letters that the names with their units take, and that one value takes
 
 
@@ -158,6 +160,7 @@ def _answer(found: "Sweep", question: "Question", top: int, plot: Path | None) -
     """List the designs asked for, and draw them."""
     from quintrig.integrate import orientation
     from quintrig.sweep.query import count, select
+    from quintrig.sweep.refine import select_refined
 
     unfinished = len(found.missing())
     if unfinished:
@@ -167,19 +170,35 @@ def _answer(found: "Sweep", question: "Question", top: int, plot: Path | None) -
     matching = count(found, question)
     surface = found.task.built().surface
     session.emit(f"{matching:,} of {found.task.space.count:,} designs; {orientation(surface)}")
+    refined = select_refined(found, question, top)
     if matching:
-        side = found.task.points
-        session.emit(f"extremes are of {side} × {side} points a design; `quintrig check` and `compare` refine them")
-        _list(select(found, question, top), found)
+        session.emit(_told(refined, found.task.points))
+    if len(next(iter(refined.rows.values()))):
+        _list(refined.rows, found)
     if plot is not None:
         from quintrig.figure.parallel import parallel_coordinates
         from quintrig.figure.save import save
 
         unit = str(found.task.model.get("unit", ""))
-        rows = select(found, question)
+        if matching > _PLOTTED:
+            session.remark(f"the picture is of more than {_PLOTTED} designs: their extremes are those at the points")
+        rows = select(found, question) if matching > _PLOTTED else select_refined(found, question, _PLOTTED).rows
         names = found.task.space.names
         replaced = plot.is_file()
         session.wrote(save(parallel_coordinates(rows, names, surface, best=question.best, unit=unit), plot), replaced)
+
+
+def _told(refined: "Refined", side: int) -> str:
+    """Say what the numbers are of, and what became of the designs whose extremes were refined."""
+    left = (
+        f"counted by {side} × {side} points a design; extremes of those listed are refined between the points, as by "
+        "`quintrig check`"
+    )
+    if refined.dropped:
+        ones = "1 design" if refined.dropped == 1 else f"{refined.dropped:,} designs"
+        of = "them" if refined.all_tried else f"the first {refined.tried:,}"
+        left += f"; of {of}, {ones} no longer met the condition and {'is' if refined.dropped == 1 else 'are'} left out"
+    return left
 
 
 def _list(rows: "dict[str, FloatArray]", found: "Sweep") -> None:

@@ -4,6 +4,7 @@ from quintrig.sweep.part import Task as Task
 from quintrig.sweep.query import Question as Question
 from quintrig.sweep.query import count as count
 from quintrig.sweep.query import select as select
+from quintrig.sweep.refine import select_refined as select_refined
 from quintrig.sweep.run import run as run
 from quintrig.sweep.space import Axis as Axis
 from quintrig.sweep.space import DesignSpace as DesignSpace

@@ -166,13 +166,16 @@ def _sound(file: Path) -> bool:
 
 def _contents(file: Path) -> tuple[int, str] | None:
     """Return the number of rows of a part and the mark of its sweep; None where its bytes are not what was written."""
-    from pyarrow import ArrowException, parquet
+    import pyarrow
+    from pyarrow import parquet
 
+    pa, pq = cast(Any, pyarrow), cast(Any, parquet)
     try:
-        table = cast(Any, parquet).read_table(file, page_checksum_verification=True, partitioning=None)
-    except (ArrowException, OSError):
+        table = pq.read_table(file, page_checksum_verification=True, partitioning=None)
+    except (pa.ArrowException, OSError):
         return None
-    return table.num_rows, (table.schema.metadata or {}).get(b"sweep", b"").decode()
+    notes = cast(dict[bytes, bytes], table.schema.metadata or {})
+    return int(table.num_rows), notes.get(b"sweep", b"").decode()
 
 
 def load_sweep(folder: Path) -> Sweep:

@@ -16,12 +16,13 @@ from quintrig.compiled import loop, scalar
 from quintrig.contraction import DUU, DUV, DVV, PARTIALS, three
 from quintrig.noise import NOISE
 
-_EXTREMES = ("gaussian", "mean", "curvedness")
+EXTREMES = ("gaussian", "mean", "curvedness")
+"""Keys of the quantities whose least and greatest values are columns."""
 
 COLUMNS: tuple[str, ...] = (
-    *(f"{key}_{what}" for key in _EXTREMES for what in ("min", "max")),
+    *(f"{key}_{what}" for key in EXTREMES for what in ("min", "max")),
     "area",
-    *(f"{key}_mean" for key in _EXTREMES),
+    *(f"{key}_mean" for key in EXTREMES),
     "bending_energy",
     "thin_plate_energy",
     *(f"share_{name.replace(' ', '_')}" for name in HK_TYPES[1:]),
