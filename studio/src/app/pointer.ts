@@ -5,8 +5,9 @@ import { build, type Patch } from "../numerics/model";
 import { toModel, toScene, type Frame } from "../view/frame";
 import { alongLine, onBall, within } from "../view/rays";
 import { dragged, sectionGrips, sectionNormal } from "../view/section";
-import type { Stage } from "../view/stage";
+import type { Ray, Stage } from "../view/stage";
 import { Fingers } from "./fingers";
+import type { Settings } from "./settings";
 import { activePatch, type Store } from "./state";
 
 const NEAR = 11, NEAR_FINGER = 24; // pixels
@@ -14,8 +15,11 @@ const NEAR = 11, NEAR_FINGER = 24; // pixels
 interface Drag {
   readonly kind: "turn" | "pan" | "move" | "section";
   readonly cell: number;
+  /** What was grabbed, as it was then, and the ray through where: all that follows is worked out from these, however many events come. */
   readonly handle: Handle | null;
   readonly grip: "move" | "tilt" | null;
+  readonly settings: Settings;
+  readonly from: Ray | null;
   x: number;
   y: number;
   far: number;
@@ -86,7 +90,8 @@ export function listen(canvas: HTMLCanvasElement, around: Surroundings): void {
       return store.settle();
     }
     const grip = pan ? null : gripUnder(x, y, near), handle = pan || grip ? null : under(x, y, near);
-    drag = { kind: pan ? "pan" : grip ? "section" : handle ? "move" : "turn", cell: stage.cellAt(x, y), handle, grip, x, y, far: 0 };
+    const cell = stage.cellAt(x, y), kind = pan ? "pan" : grip ? "section" : handle ? "move" : "turn";
+    drag = { kind, cell, handle, grip, settings: store.state.settings, from: cell < 0 ? null : stage.ray(cell, x, y), x, y, far: 0 };
     if (handle) store.set({ selected: handle.id, hover: null });
   });
 
@@ -151,19 +156,16 @@ export function listen(canvas: HTMLCanvasElement, around: Surroundings): void {
     else if (store.state.hover) store.set({ hover: null });
   }
 
-  function cut(now: Drag, x: number, y: number): void {
-    const { settings } = store.state, frame = around.frame(), start = sectionGrips(settings, frame)[now.grip!];
-    const from = stage.ray(now.cell, now.x, now.y), to = stage.ray(now.cell, x, y);
-    const target = now.grip === "move" ? alongLine(start, sectionNormal(settings), from, to) : onBall(Math.hypot(...start), to, start);
-    store.setting(dragged(now.grip!, target, settings, frame));
+  function cut({ grip, settings, from, cell }: Drag, x: number, y: number): void {
+    const frame = around.frame(), start = sectionGrips(settings, frame)[grip!], to = stage.ray(cell, x, y);
+    const target = grip === "move" ? alongLine(start, sectionNormal(settings), from!, to) : onBall(Math.hypot(...start), to, start);
+    store.setting(dragged(grip!, target, settings, frame));
   }
 
-  function move(now: Drag, x: number, y: number): void {
-    const handle = all().find((one) => one.id === now.handle!.id);
-    if (!handle) return;
+  function move({ handle, from, cell }: Drag, x: number, y: number): void {
+    if (!handle || !from || !all().some((one) => one.id === handle.id)) return;
     const { settings } = store.state;
-    const start = toScene(around.frame(), handle.position);
-    const from = stage.ray(now.cell, now.x, now.y), to = stage.ray(now.cell, x, y);
+    const start = toScene(around.frame(), handle.position), to = stage.ray(cell, x, y);
     const free = handle.free.map((can, i) => can && !settings.locks[i]) as unknown as [boolean, boolean, boolean];
     const target = handle.along ? alongLine(start, handle.along, from, to) : within(start, free, from, to, stage.orbit.axes());
     let point = toModel(around.frame(), target).map((value, i) => (handle.along || free[i] ? value : handle.position[i]!));
