@@ -184,7 +184,7 @@ export class Studio {
     this.range = q && q.colour !== "classes" ? rangeOf(meshes, q, settings) : null;
     if (!q) this.legend.plain(settings.stripes !== "none");
     else if (this.range) this.legend.real(q.key, this.range, state.model.unit, this.dark);
-    else this.legend.classes(q.key, meshes.map((mesh) => mesh.values));
+    else this.legend.classes(q.key, meshes.map((mesh) => mesh.counts));
     this.stage.style(settings, this.range, this.dark, this.frame, state.patch);
     this.painter.decorate(shown, state, this.frame);
     if (this.fitAfter) this.stage.fit(this.frame, true, this.margin());
@@ -196,7 +196,7 @@ export class Studio {
     this.hud.labels(shown.map((one) => one.label));
     const surface = this.stage.cells[0]?.pieces[state.patch]?.surface ?? null;
     this.status.refresh(state, {
-      side: this.painter.side, cost: this.painter.cost, singular: meshes.reduce((sum, mesh) => sum + mesh.singular, 0), points: meshes.reduce((sum, mesh) => sum + mesh.grid.count, 0),
+      side: this.painter.side, cost: this.painter.cost, singular: meshes.reduce((sum, mesh) => sum + mesh.singular, 0), points: meshes.reduce((sum, mesh) => sum + mesh.places, 0),
       sharp: this.sharp[0]?.at ?? null, surface, warning: warningOf(state, surface),
     });
   }

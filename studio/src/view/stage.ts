@@ -7,7 +7,7 @@ import { Orbit, VIEWS, type ViewName } from "./camera";
 import { Cell } from "./cell";
 import type { Frame } from "./frame";
 import { vector } from "./mesh";
-import { pick, type Hit } from "./pick";
+import { meets, pick, type Hit } from "./pick";
 import type { Range } from "./range";
 import { sectionPlane } from "./section";
 import { isSoftware } from "./software";
@@ -188,7 +188,7 @@ export class Stage {
     let best: Place | null = null;
     this.cells[cell]!.pieces.forEach((piece, i) => {
       const n = piece.mesh.side;
-      const hit = n > 1 ? pick(piece.mesh.position, n, origin, direction, (px, py, pz) => !clipped || a * px + b * py + c * pz <= d) : null;
+      const hit = n > 1 && meets(piece.mesh.box, origin, direction) ? pick(piece.mesh.position, n, origin, direction, (px, py, pz) => !clipped || a * px + b * py + c * pz <= d) : null;
       if (hit && (!best || hit.distance < best.distance)) best = { ...hit, cell, piece: i };
     });
     return best;
