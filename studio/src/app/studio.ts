@@ -193,7 +193,7 @@ export class Studio {
     this.bar.refresh(state);
     this.inspector.refresh(state, this.dark);
     this.model.refresh(state);
-    this.hud.labels(shown.map((one) => one.label));
+    this.hud.labels(shown.map((one) => one.label), state);
     const surface = this.stage.cells[0]?.pieces[state.patch]?.surface ?? null;
     this.status.refresh(state, {
       side: this.painter.side, cost: this.painter.cost, singular: meshes.reduce((sum, mesh) => sum + mesh.singular, 0), points: meshes.reduce((sum, mesh) => sum + mesh.places, 0),

@@ -9,7 +9,8 @@ import type { Stage } from "../view/stage";
 import { button, segmented } from "./controls";
 import { h, icon, ICONS } from "./dom";
 import { short, symbol, unitText, valueText } from "./format";
-import { probe, told } from "./probe";
+import { told, tools } from "./kept";
+import { probe, told as shown } from "./probe";
 
 const SVG = "http://www.w3.org/2000/svg";
 const AXES = ["x", "y", "z"] as const;
@@ -22,7 +23,9 @@ export class Hud {
   private readonly triad = document.createElementNS(SVG, "svg");
   private readonly projection;
 
-  constructor(store: Store, private readonly stage: Stage, act: { fit(): void; view(name: ViewName): void }) {
+  private named = "";
+
+  constructor(private readonly store: Store, private readonly stage: Stage, act: { fit(): void; view(name: ViewName): void }) {
     const view = (name: ViewName, label: string, title: string) => button(label, title, () => act.view(name), "button view-button");
     this.projection = segmented("Projection", [
       { value: "perspective" as const, label: "Perspective" }, { value: "orthographic" as const, label: "Parallel", title: "Orthographic: lengths in the plane of the picture are true" },
@@ -36,9 +39,15 @@ export class Hud {
         button(icon(ICONS.fit), "Fit (F)", act.fit, "button square"), this.projection.element));
   }
 
-  labels(names: readonly string[]): void {
-    this.cells.replaceChildren(...this.stage.cells.map((cell, i) => {
-      const box = h("div", { class: "cell" }, names[i] ? h("span", { class: "cell-label" }, names[i]!) : null);
+  /** Name the cells; those of kept variants get their tools. */
+  labels(names: readonly string[], state: State): void {
+    const first = state.compare === "kept" && names.length > 1 ? 1 : names.length; // the first cell of a kept variant
+    const { cells } = this.stage;
+    const now = JSON.stringify(cells.map((cell, i) => [names[i], cell.x, cell.y, cell.width, cell.height, i >= first && told(state, i - first)]));
+    if (now === this.named) return;
+    this.named = now;
+    this.cells.replaceChildren(...cells.map((cell, i) => {
+      const box = h("div", { class: "cell" }, names[i] ? h("span", { class: "cell-label" }, names[i]!) : null, i >= first ? tools(this.store, i - first) : null);
       Object.assign(box.style, { left: `${cell.x}px`, top: `${cell.y}px`, width: `${cell.width}px`, height: `${cell.height}px` });
       return box;
     }));
@@ -85,7 +94,7 @@ export class Hud {
       h("div", { class: "tip-point" }, `(${Array.from(point, (x) => short(x)).join(", ")})${state.model.unit ? ` ${state.model.unit}` : ""}`),
       h("table", {}, ...keys.map((key) => {
         const q = QUANTITY[key]!;
-        return row(q.colour === "classes" ? q.name : symbol(q.latex), valueText(q, told(sample, q)), unitText(q, state.model.unit));
+        return row(q.colour === "classes" ? q.name : symbol(q.latex), valueText(q, shown(sample, q)), unitText(q, state.model.unit));
       })),
       h("div", { class: "tip-words" }, wordsOf("hk_type", sample["hk_type"]![0]!)));
     this.tip.hidden = false;
