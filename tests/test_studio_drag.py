@@ -2,9 +2,10 @@
 
 # ruff: noqa: F811, fixtures of another module are named by arguments
 
+import numpy as np
 import pytest
 
-from test_studio_browser import DRAW, browser, context, opened, pytestmark, served, state  # noqa: F401
+from test_studio_browser import DRAW, browser, context, kept, opened, pytestmark, served, state  # noqa: F401
 
 LOCATE = "(id) => document.querySelector('[data-quintrig]').studio.locate(id)"
 
@@ -78,7 +79,47 @@ def test_a_section_plane_ends_at_one_place(context, served, grip):
         drag(page, page.evaluate(LOCATE, grip), (43, -29), count)
         ends.append([state(page, "settings")[key] for key in keys])
         page.evaluate(
-            "(at) => document.querySelector('[data-quintrig]').studio.store.setting(at)", {key: start[key] for key in keys}
+            "(at) => document.querySelector('[data-quintrig]').studio.store.setting(at)",
+            {key: start[key] for key in keys},
         )
     assert ends[0] != [start[key] for key in keys]
     assert ends == [ends[0]] * len(COUNTS)
+
+
+GIZMO = """() => [...document.querySelector('[data-quintrig]').shadowRoot.querySelectorAll('.gizmo polygon')].map((e) => {
+    const box = document.querySelector('[data-quintrig]').studio.canvas.getBoundingClientRect();
+    const p = e.getAttribute('points').split(' ').map((s) => s.split(',').map(Number));
+    return { name: e.getAttribute('class'), x: box.left + p.reduce((s, q) => s + q[0], 0) / p.length,
+             y: box.top + p.reduce((s, q) => s + q[1], 0) / p.length }; })"""
+
+
+def test_a_drag_stays_in_the_plane_of_its_curve_and_on_round_numbers(context, served):
+    page = opened(context, served.site.address)
+    for handle, key, i in (("section[2]", "section", 2), ("trajectory[2]", "trajectory", 2)):
+        before = np.array(state(page, f"model.patches[0].{key}"))
+        normal = np.linalg.svd(before - before.mean(axis=0))[2][-1]
+        assert np.abs((before - before[0]) @ normal).max() < 1e-9
+        after = dragged(page, handle, (23, -41), 7)[key][i]
+        assert after != before[i].tolist()
+        assert abs((after - before[0]) @ normal) < 1e-8 * np.ptp(before)
+        moving = [x for x, y in zip(after, before[i], strict=True) if x != y]
+        assert all(round(x, 1) == x for x in moving)  # a pixel is worth about 3 mm
+
+
+def test_the_gizmo_moves_along_an_axis_or_in_a_plane(context, served):
+    page = opened(context, served.site.address)
+    page.evaluate("document.querySelector('[data-quintrig]').studio.store.set({ selected: 'section[3]' })")
+    page.evaluate(DRAW)
+    kept(page, "gizmo")
+    parts = {part["name"]: part for part in page.evaluate(GIZMO)}
+    assert {"arm axis-x", "arm axis-y", "arm axis-z"} <= set(parts)
+    for name, part in parts.items():
+        before = state(page, "model.patches[0].section")[3]
+        drag(page, part, (25, -33), 4)
+        after = state(page, "model.patches[0].section")[3]
+        moved = {axis for axis, x, y in zip("xyz", before, after, strict=True) if x != y}
+        kind, axis = name.split(" axis-")
+        assert moved == ({axis} if kind == "arm" else set("xyz") - {axis}), name
+        page.locator("canvas.view").focus()
+        page.keyboard.press("Control+z")
+        page.evaluate(DRAW)

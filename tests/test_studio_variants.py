@@ -38,7 +38,9 @@ def test_kept_variants_are_named_restored_and_deleted_and_say_what_differs(conte
     assert state(page, "compare") == "off"
     for _ in range(6):
         page.get_by_role("button", name="Keep the model").click()
-    assert [one["label"] for one in state(page, "kept")] == [f"kept {i}" for i in range(1, 6)]  # none is dropped unasked
+    assert [one["label"] for one in state(page, "kept")] == [
+        f"kept {i}" for i in range(1, 6)
+    ]  # none is dropped unasked
 
 
 def test_shape_sliders_rest_while_four_sets_are_shown(context, served):

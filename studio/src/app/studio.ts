@@ -101,6 +101,11 @@ export class Studio {
       this.resize();
       this.hurry();
     }).observe(this.centre);
+    new ResizeObserver(() => {
+      // The picture ends where the closed probe begins; the open one lies over it, and the buttons stand on it.
+      this.stage.covered = Math.max(0, this.probe.element.offsetHeight - (this.root.querySelector<HTMLElement>(".centre")!.clientHeight - this.centre.clientHeight));
+      this.centre.style.setProperty("--covered", `${this.stage.covered}px`);
+    }).observe(this.probe.element);
     const scheme = matchMedia("(prefers-color-scheme: dark)");
     scheme.addEventListener("change", () => this.plan(true));
     store.subscribe((now, before) => this.changed(now, before, start));
