@@ -6,12 +6,17 @@ without a graphics card, as on a server, still says what it would be with one: a
 """
 
 import argparse
+import json
+import tempfile
 import threading
 import time
+import tomllib
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import uvicorn
-from playwright.sync_api import Page, sync_playwright
+from playwright.sync_api import Browser, Page, Playwright, sync_playwright
 
 from quintrig.studio import server
 
@@ -73,6 +78,33 @@ DRAG = """async ([seconds, points]) => {
   return { frames, seconds: (performance.now() - end) / 1000 + seconds, side };
 }"""
 
+# What happens besides the surfaces, part by part, while one patch of many changes.
+PANELS = """async ([moves, points]) => {
+  const studio = document.querySelector('[data-quintrig]').studio, { root } = studio, times = {};
+  studio.store.setting({ resolution: points });
+  const parts = [['painter', 'decorate'], ['stage', 'style'], ['legend', 'real'], ['bar', 'refresh'],
+    ['inspector', 'refresh'], ['model', 'refresh'], ['hud', 'labels'], ['hud', 'refresh'], ['status', 'refresh']];
+  for (const [owner, name] of parts) {
+    const plain = studio[owner][name].bind(studio[owner]);
+    studio[owner][name] = (...given) => {
+      const start = performance.now(), answer = plain(...given);
+      times[`${owner}.${name}`] = (times[`${owner}.${name}`] ?? 0) + performance.now() - start;
+      return answer;
+    };
+  }
+  const slider = root.querySelector('input[type=range]'), results = [];
+  for (let i = 0; i < moves + 5; i++) {
+    for (const key in times) delete times[key];
+    const drawn = new Promise((done) => root.addEventListener('drawn', ({ detail }) => done(
+      { panels: detail.evaluated - detail.surfaces, ...times }), { once: true }));
+    slider.value = String(1 - (i % 40) / 10);
+    slider.dispatchEvent(new Event('input', { bubbles: true }));
+    studio.store.settle();  // as for a number typed: at rest, with all points
+    results.push(await drawn);
+  }
+  return results.slice(5);
+}"""
+
 PARTS = {
     "waiting": "waiting for the browser's next frame",
     "surfaces": "surface and curvature worked out",
@@ -90,29 +122,69 @@ def main() -> None:
     parser.add_argument("--moves", type=int, default=100)
     parser.add_argument("--points", type=int, default=150, help="points a side")
     parser.add_argument("--chromium", default="/usr/bin/chromium")
+    parser.add_argument("--panels", action="store_true", help="only the panels, at 10 and 50 patches")
     parser.add_argument("--gpu", action="store_true", help="draw with the graphics card of this machine")
     options = parser.parse_args()
-    site = server.site(MODEL)
+    if not options.panels:
+        moves(options)
+    for count in (10, 50):
+        many(count, options)
+
+
+def moves(options: argparse.Namespace) -> None:
+    """Print the parts of a slider move on one patch, and how smooth a drag is."""
+    with served(MODEL) as address, sync_playwright() as playwright:
+        browser = launched(playwright, options)
+        page = browser.new_page(viewport={"width": 1280, "height": 720})
+        opened(page, address)
+        page.evaluate(RUN, [30, options.points, True])  # the first visit warms up shaders and compiled code
+        for whole in (False, True):
+            opened(page, address)
+            report(page.evaluate(RUN, [options.moves, options.points, whole]), options, whole)
+        opened(page, address)
+        drag = page.evaluate(DRAG, [4, options.points])
+        rate = drag["frames"] / drag["seconds"]
+        print(f"a drag of {drag['seconds']:.1f} s: {rate:.0f} frames a second, of {drag['side']} points a side")
+        browser.close()
+
+
+def many(count: int, options: argparse.Namespace) -> None:
+    """Print what a slider move costs besides the surfaces in a model of so many patches."""
+    lid = tomllib.loads(MODEL.read_text())
+    patch = {key: value for key, value in lid.items() if key not in ("schema", "unit", "name")}
+    model = {"schema": 1, "name": "Many", "unit": "mm", "patch": [patch | {"name": f"lid {i}"} for i in range(count)]}
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "many.json"
+        path.write_text(json.dumps(model))
+        with served(path) as address, sync_playwright() as playwright:
+            browser = launched(playwright, options)
+            page = browser.new_page(viewport={"width": 1280, "height": 720})
+            opened(page, address)
+            found = page.evaluate(PANELS, [min(options.moves, 30), options.points])
+            browser.close()
+    print(f"{count} patches, one of them changing, without its surface:")
+    for name in found[0]:
+        times = sorted(one.get(name, 0.0) for one in found)
+        print(f"  {name:38}{times[len(times) // 2]:6.1f} ms{times[int(0.95 * len(times))]:7.1f} ms")
+
+
+@contextmanager
+def served(path: Path) -> Iterator[str]:
+    """A running studio on a model: its address."""
+    site = server.site(path)
     config = uvicorn.Config(server.application(site), host=site.host, port=site.port, log_level="error", lifespan="off")
     running = uvicorn.Server(config)
     threading.Thread(target=running.run, daemon=True).start()
     while not running.started:
         time.sleep(0.02)
-    with sync_playwright() as playwright:
-        flags = ["--no-sandbox"] if options.gpu else FLAGS
-        browser = playwright.chromium.launch(executable_path=options.chromium, args=flags, headless=not options.gpu)
-        page = browser.new_page(viewport={"width": 1280, "height": 720})
-        opened(page, site.address)
-        page.evaluate(RUN, [30, options.points, True])  # the first visit warms up shaders and compiled code
-        for whole in (False, True):
-            opened(page, site.address)
-            report(page.evaluate(RUN, [options.moves, options.points, whole]), options, whole)
-        opened(page, site.address)
-        drag = page.evaluate(DRAG, [4, options.points])
-        rate = drag["frames"] / drag["seconds"]
-        print(f"a drag of {drag['seconds']:.1f} s: {rate:.0f} frames a second, of {drag['side']} points a side")
-        browser.close()
+    yield site.address
     running.should_exit = True
+
+
+def launched(playwright: Playwright, options: argparse.Namespace) -> Browser:
+    """The browser to measure in."""
+    flags = ["--no-sandbox"] if options.gpu else FLAGS
+    return playwright.chromium.launch(executable_path=options.chromium, args=flags, headless=not options.gpu)
 
 
 def opened(page: Page, address: str) -> None:

@@ -27,6 +27,9 @@ export function cellsOf(state: State): Shown[] {
   return [now];
 }
 
+/** The cell, of so many, that shows the model itself. */
+export const mainCell = ({ compare }: State, count: number): number => (compare === "before" ? Math.min(1, count - 1) : 0);
+
 /** The model with a set of shape parameters; the same patch for the same patch, so that nothing is worked out twice. */
 function withShape(model: Model, set: readonly number[]): Model {
   const change = (patch: Patch): Patch => {

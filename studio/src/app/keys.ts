@@ -9,7 +9,7 @@ import type { Stage } from "../view/stage";
 import type { Files } from "./files";
 import { activePatch, type Compare, type Store } from "./state";
 
-const VIEW_KEYS: Readonly<Record<string, ViewName>> = { "1": "iso", "2": "top", "3": "side", "4": "back" };
+const VIEW_KEYS: Readonly<Record<string, ViewName>> = { "1": "iso", "2": "top", "3": "side", "4": "back", "5": "front", "6": "bottom" };
 const ARROWS: Readonly<Record<string, readonly [number, number]>> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 export interface Commands {
@@ -46,7 +46,12 @@ export function press(event: KeyboardEvent, c: Commands): boolean {
   else if (event.key === "-") stage.orbit.zoom(1 / 0.85);
   else {
     switch (event.key.length === 1 ? event.key.toLowerCase() : event.key) {
-      case "p": store.setting({ projection: settings.projection === "perspective" ? "orthographic" : "perspective" }); break;
+      case "p": {
+        const projection = stage.orbit.projection === "perspective" ? "orthographic" : "perspective";
+        stage.orbit.straight = false;
+        store.setting({ projection });
+        break;
+      }
       case "f": c.fit(); break;
       case "n": store.setting({ net: !settings.net }); break;
       case "i": store.setting({ curves: !settings.curves }); break;

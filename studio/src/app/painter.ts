@@ -86,7 +86,7 @@ export class Painter {
     piece.patch = patch;
     piece.side = side;
     piece.frame = frame;
-    piece.settings = null;
+    piece.lines = piece.net = "";
     piece.mesh.update(piece.surface!, side, settings.quantity, frame);
     return side * side;
   }
@@ -94,12 +94,13 @@ export class Painter {
   private overlay(cell: Cell, state: State, frame: Frame, editable: boolean, tooth: number): void {
     cell.pieces.forEach((piece, i) => {
       if (!piece.surface || !piece.patch) return;
-      if (piece.settings !== state.settings || piece.tooth !== tooth) piece.overlays.update(piece.mesh, state.settings, frame, tooth);
-      piece.settings = state.settings;
-      piece.tooth = tooth;
-      const net = state.settings.net;
-      const grips = net && editable && i === state.patch ? handles(piece.patch, piece.surface) : [];
-      piece.overlays.net(net ? polylines(piece.patch, piece.surface) : [], grips, state.selected, frame);
+      const lines = linesOf(state.settings, tooth), net = state.settings.net, active = net && editable && i === state.patch;
+      if (piece.lines !== lines) piece.overlays.update(piece.mesh, state.settings, frame, tooth);
+      piece.lines = lines;
+      const shown = `${net} ${active} ${active ? state.selected : ""} ${state.moving}`;
+      if (piece.net === shown) return;
+      piece.net = shown;
+      piece.overlays.net(net ? polylines(piece.patch, piece.surface) : [], active ? handles(piece.patch, piece.surface) : [], state.selected, frame);
       // Found by a search of its own, so not while something moves.
       piece.overlays.edge(state.moving ? [] : edgeOf(piece.patch, piece.surface), frame);
     });
@@ -123,6 +124,10 @@ export class Painter {
     this.coarse = fits >= full ? full : Math.max(LEAST, Math.min(full, Math.round(fits)));
   }
 }
+
+/** The settings that the lines over a surface follow from. */
+const linesOf = (s: Settings, tooth: number): string => JSON.stringify(
+  [tooth, s.directions, s.normals, s.combs, s.zeroK, s.zeroH, s.section, s.section && [s.sectionAzimuth, s.sectionTilt, s.sectionAt]]);
 
 const edges = new WeakMap<Surface, number[][][]>();
 

@@ -1,12 +1,15 @@
 /** The pointer over the picture: turn, pan, zoom, drag control points, look at and pin points. */
 
-import { handles, moved, type Handle } from "../edit/handles";
-import { build, type Patch } from "../numerics/model";
+import { handlesOf, moved, type Handle } from "../edit/handles";
+import { follow, onGrid, wayOf, type Way } from "../edit/way";
 import { toModel, toScene, type Frame } from "../view/frame";
-import { alongLine, onBall, within } from "../view/rays";
+import { gizmo, partAt, pixelAt } from "../view/gizmo";
+import { alongLine, onBall } from "../view/rays";
 import { dragged, sectionGrips, sectionNormal } from "../view/section";
-import type { Stage } from "../view/stage";
+import type { Ray, Stage } from "../view/stage";
+import { mainCell } from "./cells";
 import { Fingers } from "./fingers";
+import type { Settings } from "./settings";
 import { activePatch, type Store } from "./state";
 
 const NEAR = 11, NEAR_FINGER = 24; // pixels
@@ -14,8 +17,13 @@ const NEAR = 11, NEAR_FINGER = 24; // pixels
 interface Drag {
   readonly kind: "turn" | "pan" | "move" | "section";
   readonly cell: number;
+  /** What was grabbed, as it was then, and the ray through where: all that follows is worked out from these, however many events come. */
   readonly handle: Handle | null;
   readonly grip: "move" | "tilt" | null;
+  /** The axes of the part of the gizmo that was grabbed. */
+  readonly axes: readonly number[] | null;
+  readonly settings: Settings;
+  readonly from: Ray | null;
   x: number;
   y: number;
   far: number;
@@ -36,7 +44,6 @@ export interface Surroundings {
 export function listen(canvas: HTMLCanvasElement, around: Surroundings): void {
   const { store, stage } = around;
   let drag: Drag | null = null;
-  let cached: { patch: Patch; list: Handle[] } | null = null;
   let pending = false;
   const fingers = new Fingers(stage, () => around.redraw());
 
@@ -44,11 +51,15 @@ export function listen(canvas: HTMLCanvasElement, around: Surroundings): void {
     const box = canvas.getBoundingClientRect();
     return { x: event.clientX - box.left, y: event.clientY - box.top };
   };
-  const all = (): Handle[] => {
-    const patch = activePatch(store.state);
-    if (cached?.patch !== patch) cached = { patch, list: safely(() => handles(patch, build(patch))) };
-    return cached!.list;
+  const all = () => handlesOf(activePatch(store.state));
+  /** The part of the gizmo of the selected point under the pointer, with that point. */
+  const gizmoUnder = (x: number, y: number, near: number): { handle: Handle; axes: readonly number[] } | null => {
+    const cell = stage.cellAt(x, y), handle = store.state.settings.net && all().find((one) => one.id === store.state.selected);
+    if (!handle || handle.along || cell !== mainCell(store.state, stage.cells.length)) return null;
+    const part = partAt(gizmo(stage, cell, toScene(around.frame(), handle.position), freeOf(handle)), x, y, near);
+    return part && { handle, axes: part.axes };
   };
+  const freeOf = (handle: Handle) => handle.free.map((can, i) => can && !store.state.settings.locks[i]);
   const gripUnder = (x: number, y: number, near: number): "move" | "tilt" | null => {
     const cell = stage.cellAt(x, y), { settings } = store.state;
     if (cell < 0 || !settings.section) return null;
@@ -85,8 +96,10 @@ export function listen(canvas: HTMLCanvasElement, around: Surroundings): void {
       drag = null;
       return store.settle();
     }
-    const grip = pan ? null : gripUnder(x, y, near), handle = pan || grip ? null : under(x, y, near);
-    drag = { kind: pan ? "pan" : grip ? "section" : handle ? "move" : "turn", cell: stage.cellAt(x, y), handle, grip, x, y, far: 0 };
+    const grip = pan ? null : gripUnder(x, y, near), point = pan || grip ? null : under(x, y, near);
+    const arm = pan || grip || point ? null : gizmoUnder(x, y, 0.6 * near), handle = point ?? arm?.handle ?? null;
+    const cell = stage.cellAt(x, y), kind = pan ? "pan" : grip ? "section" : handle ? "move" : "turn";
+    drag = { kind, cell, handle, grip, axes: arm?.axes ?? null, settings: store.state.settings, from: cell < 0 ? null : stage.ray(cell, x, y), x, y, far: 0 };
     if (handle) store.set({ selected: handle.id, hover: null });
   });
 
@@ -94,7 +107,7 @@ export function listen(canvas: HTMLCanvasElement, around: Surroundings): void {
     const { x, y } = at(event);
     if (fingers.move(event.pointerId, { x, y })) return;
     if (!drag) {
-      canvas.classList.toggle("grab", under(x, y, NEAR) !== null || gripUnder(x, y, NEAR) !== null);
+      canvas.classList.toggle("grab", under(x, y, NEAR) !== null || gripUnder(x, y, NEAR) !== null || gizmoUnder(x, y, 0.6 * NEAR) !== null);
       if (pending || event.pointerType === "touch") return;
       pending = true;
       requestAnimationFrame(() => {
@@ -108,7 +121,7 @@ export function listen(canvas: HTMLCanvasElement, around: Surroundings): void {
     if (drag.kind === "turn") stage.orbit.turn(dx, dy);
     else if (drag.kind === "pan") stage.pan(dx, dy);
     else if (drag.kind === "section") cut(drag, x, y);
-    else if (drag.far > 2) move(drag, x, y);
+    else if (drag.far > 2) move(drag, x, y, event.altKey);
     drag.x = x;
     drag.y = y;
     if (drag.kind === "turn" || drag.kind === "pan") around.redraw();
@@ -151,32 +164,31 @@ export function listen(canvas: HTMLCanvasElement, around: Surroundings): void {
     else if (store.state.hover) store.set({ hover: null });
   }
 
-  function cut(now: Drag, x: number, y: number): void {
-    const { settings } = store.state, frame = around.frame(), start = sectionGrips(settings, frame)[now.grip!];
-    const from = stage.ray(now.cell, now.x, now.y), to = stage.ray(now.cell, x, y);
-    const target = now.grip === "move" ? alongLine(start, sectionNormal(settings), from, to) : onBall(Math.hypot(...start), to, start);
-    store.setting(dragged(now.grip!, target, settings, frame));
+  function cut({ grip, settings, from, cell }: Drag, x: number, y: number): void {
+    const frame = around.frame(), start = sectionGrips(settings, frame)[grip!], to = stage.ray(cell, x, y);
+    const target = grip === "move" ? alongLine(start, sectionNormal(settings), from!, to) : onBall(Math.hypot(...start), to, start);
+    store.setting(dragged(grip!, target, settings, frame));
   }
 
-  function move(now: Drag, x: number, y: number): void {
-    const handle = all().find((one) => one.id === now.handle!.id);
-    if (!handle) return;
-    const { settings } = store.state;
-    const start = toScene(around.frame(), handle.position);
-    const from = stage.ray(now.cell, now.x, now.y), to = stage.ray(now.cell, x, y);
-    const free = handle.free.map((can, i) => can && !settings.locks[i]) as unknown as [boolean, boolean, boolean];
-    const target = handle.along ? alongLine(start, handle.along, from, to) : within(start, free, from, to, stage.orbit.axes());
-    let point = toModel(around.frame(), target).map((value, i) => (handle.along || free[i] ? value : handle.position[i]!));
-    const snapped = (value: number) => Math.round(value / settings.snapStep) * settings.snapStep;
-    if (settings.snap && !handle.along) point = point.map((value, i) => (free[i] ? snapped(value) : value));
-    if (settings.snap && handle.along) {
-      // A plane's offset d = -n·p is what is rounded.
-      const n = handle.along, dot = (p: readonly number[]) => p.reduce((sum, x, i) => sum + x * n[i]!, 0);
-      const shift = (-dot(point) - snapped(-dot(point))) / dot(n);
-      point = point.map((x, i) => x + shift * n[i]!);
-    }
+  function move({ handle, from, cell, axes }: Drag, x: number, y: number, facing: boolean): void {
+    if (!handle || !from || !all().some((one) => one.id === handle.id)) return;
+    const { settings } = store.state, frame = around.frame();
+    const start = toScene(frame, handle.position), to = stage.ray(cell, x, y), { towards } = stage.orbit.axes();
+    const free = axes ? [0, 1, 2].map((i) => axes.includes(i)) : freeOf(handle), eye = [towards.x, towards.y, towards.z];
+    const way: Way = handle.along ? { line: handle.along } : wayOf(free, facing ? eye : handle.plane, eye);
+    const target = toModel(frame, follow(way, start, from, to));
+    // What lies between two pixels cannot be aimed at: digits beyond that would be made up.
+    const step = settings.snap ? settings.snapStep : 10 ** Math.floor(Math.log10(pixelAt(stage, cell, start) / frame.scale));
+    const point = handle.along ? offset(handle.along, target, step) : onGrid(way, handle.position, target, step, settings.snap);
     store.editPatch(moved(activePatch(store.state), handle, point), `drag ${handle.id}`);
   }
+}
+
+/** The point moved along a plane's normal so that the plane's offset d = -n·p is a multiple of a step. */
+function offset(normal: readonly number[], point: readonly number[], step: number): number[] {
+  const dot = (p: readonly number[]) => p.reduce((sum, x, i) => sum + x * normal[i]!, 0);
+  const shift = (-dot(point) - Math.round(-dot(point) / step) * step) / dot(normal);
+  return point.map((x, i) => x + shift * normal[i]!);
 }
 
 /** Parameters to four digits, so that what is shown is what is evaluated. */
@@ -190,13 +202,5 @@ function capture(canvas: HTMLElement, id: number): void {
     canvas.setPointerCapture(id);
   } catch {
     // It moves on its own.
-  }
-}
-
-function safely<T>(act: () => T[]): T[] {
-  try {
-    return act();
-  } catch {
-    return []; // a patch between two valid states has no handles
   }
 }

@@ -101,6 +101,11 @@ export class Studio {
       this.resize();
       this.hurry();
     }).observe(this.centre);
+    new ResizeObserver(() => {
+      // The picture ends where the closed probe begins; the open one lies over it, and the buttons stand on it.
+      this.stage.covered = Math.max(0, this.probe.element.offsetHeight - (this.root.querySelector<HTMLElement>(".centre")!.clientHeight - this.centre.clientHeight));
+      this.centre.style.setProperty("--covered", `${this.stage.covered}px`);
+    }).observe(this.probe.element);
     const scheme = matchMedia("(prefers-color-scheme: dark)");
     scheme.addEventListener("change", () => this.plan(true));
     store.subscribe((now, before) => this.changed(now, before, start));
@@ -184,7 +189,7 @@ export class Studio {
     this.range = q && q.colour !== "classes" ? rangeOf(meshes, q, settings) : null;
     if (!q) this.legend.plain(settings.stripes !== "none");
     else if (this.range) this.legend.real(q.key, this.range, state.model.unit, this.dark);
-    else this.legend.classes(q.key, meshes.map((mesh) => mesh.values));
+    else this.legend.classes(q.key, meshes.map((mesh) => mesh.counts));
     this.stage.style(settings, this.range, this.dark, this.frame, state.patch);
     this.painter.decorate(shown, state, this.frame);
     if (this.fitAfter) this.stage.fit(this.frame, true, this.margin());
@@ -193,10 +198,10 @@ export class Studio {
     this.bar.refresh(state);
     this.inspector.refresh(state, this.dark);
     this.model.refresh(state);
-    this.hud.labels(shown.map((one) => one.label));
+    this.hud.labels(shown.map((one) => one.label), state);
     const surface = this.stage.cells[0]?.pieces[state.patch]?.surface ?? null;
     this.status.refresh(state, {
-      side: this.painter.side, cost: this.painter.cost, singular: meshes.reduce((sum, mesh) => sum + mesh.singular, 0), points: meshes.reduce((sum, mesh) => sum + mesh.grid.count, 0),
+      side: this.painter.side, cost: this.painter.cost, singular: meshes.reduce((sum, mesh) => sum + mesh.singular, 0), points: meshes.reduce((sum, mesh) => sum + mesh.places, 0),
       sharp: this.sharp[0]?.at ?? null, surface, warning: warningOf(state, surface),
     });
   }

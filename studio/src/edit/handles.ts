@@ -2,9 +2,10 @@
 
 import { reflected } from "../numerics/construct";
 import type { Patch } from "../numerics/model";
-import { valueOf } from "../numerics/model";
+import { build, valueOf } from "../numerics/model";
 import { analyse } from "../numerics/sample";
 import type { Surface } from "../numerics/surface";
+import { planeOf } from "./way";
 
 type Vec = readonly number[];
 
@@ -17,6 +18,8 @@ export interface Handle {
   readonly position: Vec;
   readonly free: readonly [boolean, boolean, boolean];
   readonly along?: Vec;
+  /** Unit normal of the plane that its curve lies in. */
+  readonly plane?: Vec;
   readonly mirrored?: boolean;
   readonly tint: readonly [number, number, number];
 }
@@ -24,6 +27,22 @@ export interface Handle {
 const BLUE = [0.11, 0.36, 0.66] as const, TEAL = [0.0, 0.47, 0.42] as const;
 const ALL = [true, true, true] as const;
 const LARGEST_NET = 400;
+
+const known = new WeakMap<Patch, Handle[]>();
+
+/** Every handle of a patch; none of a patch that cannot be built, as between two valid states. */
+export function handlesOf(patch: Patch): readonly Handle[] {
+  let found = known.get(patch);
+  if (!found) {
+    try {
+      found = handles(patch, build(patch));
+    } catch {
+      found = [];
+    }
+    known.set(patch, found);
+  }
+  return found;
+}
 
 /** Every handle of a patch; its surface says where the handles of planes sit. */
 export function handles(patch: Patch, surface: Surface): Handle[] {
@@ -103,7 +122,8 @@ function net(rows: readonly (readonly Vec[])[]): Handle[] {
 }
 
 function polygon(key: string, points: readonly Vec[], free: Handle["free"], tint: Handle["tint"]): Handle[] {
-  return points.map((position, i) => ({ id: `${key}[${i}]`, key, index: [i], label: `${key} ${i}`, position, free, tint }));
+  const plane = planeOf(points);
+  return points.map((position, i) => ({ id: `${key}[${i}]`, key, index: [i], label: `${key} ${i}`, position, free, tint, ...(plane && { plane }) }));
 }
 
 function planes(key: string, rows: readonly Vec[], surface: Surface, where: (i: number) => [number, number], tint: Handle["tint"]): Handle[] {

@@ -90,7 +90,7 @@ export async function askPicture(root: HTMLElement, width: number, height: numbe
 }
 
 const KEYS: readonly (readonly [string, string])[] = [
-  ["Ctrl Z, Ctrl Shift Z", "undo, redo"], ["Ctrl S, Ctrl O", "save, open"], ["1 2 3 4", "views: oblique, top, side, back"], ["P", "perspective or parallel"],
+  ["Ctrl Z, Ctrl Shift Z", "undo, redo"], ["Ctrl S, Ctrl O", "save, open"], ["1 to 6", "views: oblique, top, side, back, front, bottom"], ["P", "perspective or parallel"],
   ["F", "fit"], ["N", "control net"], ["I", "iso-curves"], ["W", "wireframe"], ["Z", "zebra"], ["C", "compare: next arrangement"],
   ["arrows", "turn the view, or move the chosen point by the snap step"], ["Shift arrows", "pan, or move by ten steps"], ["+ −", "zoom"],
   ["[ ]", "choose the control point before or after"], ["Esc", "let go of the point"], ["Enter", "pin the point in the middle of the picture"],

@@ -1,15 +1,19 @@
 /** What lies over the picture: view buttons, cell labels, axes, pins, the point under the pointer, the smallest radius. */
 
-import type { State, Store } from "../app/state";
+import { mainCell } from "../app/cells";
+import { activePatch, type State, type Store } from "../app/state";
+import { handlesOf } from "../edit/handles";
 import { QUANTITY, wordsOf } from "../numerics/quantity";
 import type { ViewName } from "../view/camera";
 import { toScene, type Frame } from "../view/frame";
+import { gizmo } from "../view/gizmo";
 import type { Sharpest } from "../view/radius";
 import type { Stage } from "../view/stage";
 import { button, segmented } from "./controls";
 import { h, icon, ICONS } from "./dom";
 import { short, symbol, unitText, valueText } from "./format";
-import { probe, told } from "./probe";
+import { told, tools } from "./kept";
+import { probe, told as shown } from "./probe";
 
 const SVG = "http://www.w3.org/2000/svg";
 const AXES = ["x", "y", "z"] as const;
@@ -20,32 +24,47 @@ export class Hud {
   private readonly marks = h("div", { class: "marks-layer" });
   private readonly tip = h("div", { class: "tip", hidden: true, role: "status" });
   private readonly triad = document.createElementNS(SVG, "svg");
+  private readonly gizmo = document.createElementNS(SVG, "svg");
   private readonly projection;
 
-  constructor(store: Store, private readonly stage: Stage, act: { fit(): void; view(name: ViewName): void }) {
+  private named = "";
+
+  constructor(private readonly store: Store, private readonly stage: Stage, act: { fit(): void; view(name: ViewName): void }) {
     const view = (name: ViewName, label: string, title: string) => button(label, title, () => act.view(name), "button view-button");
     this.projection = segmented("Projection", [
       { value: "perspective" as const, label: "Perspective" }, { value: "orthographic" as const, label: "Parallel", title: "Orthographic: lengths in the plane of the picture are true" },
-    ], (projection) => store.setting({ projection }));
+    ], (projection) => {
+      this.stage.orbit.straight = false;
+      store.setting({ projection });
+    });
     this.triad.setAttribute("viewBox", "-32 -32 64 64");
     this.triad.setAttribute("class", "triad");
     this.triad.setAttribute("aria-hidden", "true");
-    this.element.append(this.cells, this.marks, this.tip, this.triad,
+    this.gizmo.setAttribute("class", "gizmo");
+    this.gizmo.setAttribute("aria-hidden", "true");
+    this.element.append(this.cells, this.gizmo, this.marks, this.tip, this.triad,
       h("div", { class: "view-tools", role: "toolbar", "aria-label": "View" },
         view("iso", "Oblique", "Oblique view (1)"), view("top", "Top", "Top view, along −z (2)"), view("side", "Side", "Side view, along +y (3)"), view("back", "Back", "Back view, along −x (4)"),
+        view("front", "Front", "Front view, along +x (5)"), view("bottom", "Bottom", "Bottom view, along +z (6)"),
         button(icon(ICONS.fit), "Fit (F)", act.fit, "button square"), this.projection.element));
   }
 
-  labels(names: readonly string[]): void {
-    this.cells.replaceChildren(...this.stage.cells.map((cell, i) => {
-      const box = h("div", { class: "cell" }, names[i] ? h("span", { class: "cell-label" }, names[i]!) : null);
+  /** Name the cells; those of kept variants get their tools. */
+  labels(names: readonly string[], state: State): void {
+    const first = state.compare === "kept" && names.length > 1 ? 1 : names.length; // the first cell of a kept variant
+    const { cells } = this.stage;
+    const now = JSON.stringify(cells.map((cell, i) => [names[i], cell.x, cell.y, cell.width, cell.height, i >= first && told(state, i - first)]));
+    if (now === this.named) return;
+    this.named = now;
+    this.cells.replaceChildren(...cells.map((cell, i) => {
+      const box = h("div", { class: "cell" }, names[i] ? h("span", { class: "cell-label" }, names[i]!) : null, i >= first ? tools(this.store, i - first) : null);
       Object.assign(box.style, { left: `${cell.x}px`, top: `${cell.y}px`, width: `${cell.width}px`, height: `${cell.height}px` });
       return box;
     }));
   }
 
   refresh(state: State, frame: Frame, sharp: readonly { cell: number; at: Sharpest }[]): void {
-    this.projection.update(state.settings.projection);
+    this.projection.update(this.stage.orbit.projection);
     this.drawTriad();
     const marks: HTMLElement[] = [];
     const put = (cell: number, point: readonly number[], element: HTMLElement) => {
@@ -56,7 +75,8 @@ export class Hud {
       element.style.transform = `translate(${p.x.toFixed(1)}px, ${p.y.toFixed(1)}px)`;
       marks.push(element);
     };
-    const main = this.mainCell(state);
+    const main = mainCell(state, this.stage.cells.length);
+    this.drawGizmo(state, frame, main);
     state.pins.forEach((pin, i) => {
       if (pin.patch < state.model.patches.length) put(main, Array.from(probe(state.model, pin)["point"]!), h("span", { class: "pin" }, h("b", {}, i + 1)));
     });
@@ -66,9 +86,16 @@ export class Hud {
     this.showTip(state);
   }
 
-  /** The cell that shows the model itself. */
-  private mainCell(state: State): number {
-    return state.compare === "before" ? Math.min(1, this.stage.cells.length - 1) : 0;
+  /** Arms and squares at the selected point. */
+  private drawGizmo(state: State, frame: Frame, main: number): void {
+    const handle = state.settings.net && handlesOf(activePatch(state)).find((one) => one.id === state.selected);
+    const parts = handle && !handle.along ? gizmo(this.stage, main, toScene(frame, handle.position), handle.free.map((can, i) => can && !state.settings.locks[i])) : [];
+    this.gizmo.replaceChildren(...parts.map(({ axes, outline }) => {
+      const shape = document.createElementNS(SVG, "polygon");
+      shape.setAttribute("points", outline.map((spot) => spot.map((x) => x.toFixed(1)).join(",")).join(" "));
+      shape.setAttribute("class", axes.length === 1 ? `arm axis-${AXES[axes[0]!]!}` : `square axis-${AXES[3 - axes[0]! - axes[1]!]!}`);
+      return shape;
+    }));
   }
 
   private showTip(state: State): void {
@@ -85,7 +112,7 @@ export class Hud {
       h("div", { class: "tip-point" }, `(${Array.from(point, (x) => short(x)).join(", ")})${state.model.unit ? ` ${state.model.unit}` : ""}`),
       h("table", {}, ...keys.map((key) => {
         const q = QUANTITY[key]!;
-        return row(q.colour === "classes" ? q.name : symbol(q.latex), valueText(q, told(sample, q)), unitText(q, state.model.unit));
+        return row(q.colour === "classes" ? q.name : symbol(q.latex), valueText(q, shown(sample, q)), unitText(q, state.model.unit));
       })),
       h("div", { class: "tip-words" }, wordsOf("hk_type", sample["hk_type"]![0]!)));
     this.tip.hidden = false;

@@ -21,6 +21,7 @@ type Binding = (settings: Settings, dark: boolean) => void;
 export class Inspector {
   readonly element = h("aside", { class: "panel right", "aria-label": "Shape and analysis" });
   private readonly shape = h("div", { class: "shape" });
+  private readonly fixed = h("p", { class: "hint", hidden: true }, "Four sets are shown side by side; choose “One” to set the shape.");
   private readonly bindings: Binding[] = [];
   private controls: Control<number>[] = [];
   private shapeFor = "";
@@ -56,6 +57,11 @@ export class Inspector {
     }
     values.forEach((value, i) => this.controls[i]?.update(value));
     for (const { key, control } of this.fields) control.update(valueOf(patch, key) as number);
+    // Four fixed sets are shown: there is no cell that another shape would be seen in.
+    const fixed = state.compare === "sets" && shapeSets(values.length).length > 0;
+    this.fixed.hidden = !fixed;
+    for (const { element } of this.controls) for (const input of element.querySelectorAll("input")) input.disabled = fixed;
+    for (const chip of this.shape.querySelectorAll<HTMLButtonElement>(".chip")) chip.disabled = fixed;
     const now = JSON.stringify(values);
     for (const chip of this.shape.querySelectorAll<HTMLElement>(".chip")) chip.setAttribute("aria-pressed", String(chip.dataset["shape"] === now));
   }
@@ -98,7 +104,7 @@ export class Inspector {
       })));
     }
     if (!rows.length) rows.push(h("p", { class: "hint" }, "This surface has no shape parameters: drag its control points."));
-    this.shape.replaceChildren(...rows);
+    this.shape.replaceChildren(this.fixed, ...rows);
   }
 
   private colour(): (HTMLElement | string)[] {

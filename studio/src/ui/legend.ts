@@ -41,23 +41,19 @@ export class Legend {
       tick.style.bottom = `${100 * share}%`;
     });
     this.histogram(range, dark);
-    const lines: (HTMLElement | string)[] = range.missing === range.count ? ["no point has a finite value"] : [h("dl", { class: "facts" }, h("dt", {}, "max"), h("dd", {}, text(range.most)), h("dt", {}, "mean"), h("dd", {}, text(range.mean)), h("dt", {}, "min"), h("dd", {}, text(range.least)))];
+    const lines: (HTMLElement | string)[] = !range.finite ? ["no point has a finite value"] : [h("dl", { class: "facts" }, h("dt", {}, "max"), h("dd", {}, text(range.most)), h("dt", {}, "mean"), h("dd", {}, text(range.mean)), h("dt", {}, "min"), h("dd", {}, text(range.least)))];
     if (range.below + range.above > 0) lines.push(h("div", {}, `${percent(range.below + range.above)} beyond ends`));
     const none = [[range.missing - range.infinite, "undefined"], [range.infinite, "infinite"]] as const;
     for (const [count, word] of none) if (count) lines.push(h("div", { class: "missing" }, swatch(css(UNDEFINED)), `${count} ${word}`));
     this.note.replaceChildren(...lines);
   }
 
-  /** Show the types that occur, with their share of the points. */
-  classes(key: string, values: readonly Float32Array[]): void {
+  /** Show the types that occur, with their share of the points; `parts` counts the types of each surface. */
+  classes(key: string, parts: readonly (readonly number[])[]): void {
     this.shown = "";
     this.element.hidden = false;
-    const q = QUANTITY[key]!, colours = classColours(key), counts = new Array<number>(colours.length).fill(0);
-    let total = 0;
-    for (const array of values) {
-      total += array.length;
-      for (const code of array) counts[code]!++;
-    }
+    const q = QUANTITY[key]!, colours = classColours(key);
+    const counts = colours.map((_, code) => parts.reduce((sum, part) => sum + (part[code] ?? 0), 0)), total = counts.reduce((sum, count) => sum + count, 0);
     const rows = q.classes.map((name, code) => ({ name, code })).filter(({ code }) => code > 0 || counts[0]! > 0);
     this.element.replaceChildren(
       h("div", { class: "legend-title" }, h("span", {}, capital(q.name))),

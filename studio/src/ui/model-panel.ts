@@ -19,6 +19,7 @@ export class ModelPanel {
   private readonly locks: Control<boolean>[];
   private readonly snap: Control<boolean>;
   private readonly step: Control<number>;
+  private names = "";
   private list: Handle[] = [];
   private shownPatch: Patch | null = null;
   private tab = "";
@@ -75,9 +76,11 @@ export class ModelPanel {
     this.snap.update(state.settings.snap);
     this.step.update(state.settings.snapStep);
     this.patches.hidden = state.model.patches.length < 2;
-    this.patches.replaceChildren(...state.model.patches.map((p, i) =>
+    const names = JSON.stringify([state.patch, state.model.patches.map((p) => [p.name, p.kind])]);
+    if (names !== this.names) this.patches.replaceChildren(...state.model.patches.map((p, i) =>
       h("button", { type: "button", class: "patch", role: "option", "aria-selected": i === state.patch, on: { click: () => this.store.set({ patch: i, selected: null }) } },
         h("span", {}, p.name), h("small", {}, p.kind.replaceAll("_", " ")))));
+    this.names = names;
     this.showPoints(state, patch);
   }
 

@@ -6,6 +6,7 @@ import { KINDS } from "../numerics/model";
 import { button, menu, segmented, type Control, type Item } from "./controls";
 import { h, icon, ICONS } from "./dom";
 import { capital } from "./format";
+import { keep } from "./kept";
 
 export class TopBar {
   readonly element: HTMLElement;
@@ -35,12 +36,8 @@ export class TopBar {
       { value: "before", label: "Before | now", title: "As last saved or opened, beside the model now" },
       { value: "sets", label: "Four sets", title: "The four sets of shape parameters of the thesis, on one scale" },
       { value: "kept", label: "Kept", title: "The model beside those you kept" },
-    ], (compare) => (compare === "kept" && !store.state.kept.length ? keepNow() : store.set({ compare })));
-    const keepNow = () => {
-      const { model, kept } = store.state;
-      store.set({ kept: [...kept.slice(-4), { label: `kept ${kept.length + 1}`, model }], compare: "kept" });
-    };
-    const keep = button("Keep", "Keep the model as it is now, to compare with", keepNow, "button quiet");
+    ], (compare) => (compare === "kept" && !store.state.kept.length ? keep(store) : store.set({ compare })));
+    const keeper = button("Keep", "Keep the model as it is now, to compare with", () => keep(store), "button quiet");
     this.element = h("header", { class: "bar" },
       embedded ? null : h("span", { class: "brand", title: "quintrig" }, mark(), h("span", {}, "quintrig")),
       button(icon(ICONS.side), "Construction and control points", panel, "button square drawer"),
@@ -50,7 +47,7 @@ export class TopBar {
         menu(h("span", {}, icon(ICONS.open), h("span", { class: "word" }, "Open"), icon(ICONS.down)), "Open a model", () => files.openItems()),
         menu(h("span", {}, icon(ICONS.save), h("span", { class: "word" }, "Save"), icon(ICONS.down)), "Save the model", () => files.saveItems())),
       h("div", { class: "group tight" }, this.undo, this.redo),
-      h("div", { class: "group tight" }, this.compare.element, keep),
+      h("div", { class: "group tight" }, this.compare.element, keeper),
       h("span", { class: "spacer" }),
       h("div", { class: "group tight last" },
         button(icon(ICONS.picture), "Save a picture", () => void files.picture(), "button square"),

@@ -3,11 +3,11 @@
 import { Matrix4, OrthographicCamera, PerspectiveCamera, Vector3 } from "three";
 
 export type Projection = "perspective" | "orthographic";
-export type ViewName = "iso" | "top" | "side" | "back";
+export type ViewName = "iso" | "top" | "side" | "back" | "front" | "bottom";
 
 /** Azimuth about z from the x axis and elevation above the xy plane, in degrees, as in the figures of the report. */
 export const VIEWS: Readonly<Record<ViewName, readonly [number, number]>> = {
-  iso: [-55, 26], top: [-90, 90], side: [-90, 0], back: [0, 0],
+  iso: [-55, 26], top: [-90, 90], side: [-90, 0], back: [0, 0], front: [180, 0], bottom: [-90, -90],
 };
 
 const HALF_FIELD = (14 * Math.PI) / 180;
@@ -35,13 +35,19 @@ export class Orbit {
   /** Half the height of what is seen at the target, in scene lengths. */
   span = 1.1;
   readonly target = new Vector3();
-  projection: Projection = "perspective";
+  /** The projection chosen; a view along an axis is parallel whatever is chosen, until it is turned. */
+  chosen: Projection = "perspective";
+  straight = false;
   /** Whether it was turned, panned or zoomed by hand since it last went to a view. */
   moved = false;
   private readonly perspective = new PerspectiveCamera((2 * HALF_FIELD) / RADIANS, 1, 0.01, 100);
   private readonly orthographic = new OrthographicCamera();
   private goal: { azimuth: number; elevation: number; span: number; target: Vector3; start: number } | null = null;
   private from = { azimuth: 0, elevation: 0, span: 1, target: new Vector3() };
+
+  get projection(): Projection {
+    return this.straight ? "orthographic" : this.chosen;
+  }
 
   /** The three.js camera for a viewport of this shape. */
   camera(aspect: number): PerspectiveCamera | OrthographicCamera {
@@ -78,6 +84,7 @@ export class Orbit {
   turn(dx: number, dy: number): void {
     this.goal = null;
     this.moved = true;
+    this.straight = false;
     this.azimuth -= dx * 0.35;
     this.elevation = Math.max(-90, Math.min(90, this.elevation + dy * 0.35));
   }

@@ -1,7 +1,6 @@
 /** What is drawn in one viewport: pieces, each a surface with the lines and points over it. */
 
 import { Scene } from "three";
-import type { Settings } from "../app/settings";
 import type { Patch } from "../numerics/model";
 import type { Surface } from "../numerics/surface";
 import type { Frame } from "./frame";
@@ -18,8 +17,9 @@ export class Piece {
   side = 0;
   frame: Frame | null = null;
   quantity = "";
-  settings: Settings | null = null;
-  tooth = 0;
+  /** What the lines over the surface, and the net, were last drawn for. */
+  lines = "";
+  net = "";
 }
 
 /** One viewport: its pieces and its place in the canvas, in CSS pixels from the top left. */

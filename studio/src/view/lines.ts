@@ -1,7 +1,7 @@
 /** Lines of any width in pixels, drawn in one call; refilled in place. */
 
 import {
-  BufferAttribute, BufferGeometry, Color, DynamicDrawUsage, GLSL3, InstancedBufferGeometry, InstancedInterleavedBuffer,
+  BufferAttribute, BufferGeometry, Color, DynamicDrawUsage, GLSL3, GreaterDepth, InstancedBufferGeometry, InstancedInterleavedBuffer,
   InterleavedBufferAttribute, Mesh, Points as PointCloud, ShaderMaterial, Vector2, Vector4,
 } from "three";
 
@@ -34,32 +34,36 @@ precision highp float;
 in float across;
 uniform vec4 colour;
 uniform float width;
+uniform float veil;
 layout(location = 0) out vec4 pixel;
 void main() {
   float edge = 1.0 - smoothstep(0.5 * width - 0.25, 0.5 * width + 0.75, abs(across));
-  pixel = vec4(colour.rgb, colour.a * edge);
+  pixel = vec4(colour.rgb, colour.a * veil * edge);
 }`;
 
 export class Lines {
   readonly mesh: Mesh;
   private readonly material: ShaderMaterial;
+  private readonly behind: Mesh | PointCloud | null;
   private data = new Float32Array(6 * 256);
   private count = 0;
   private geometry: InstancedBufferGeometry;
 
-  constructor(colour: string, private readonly width: number, opacity = 1, onTop = false) {
+  /** `hidden` is the share of the opacity that is left where a surface stands before the lines. */
+  constructor(colour: string, private readonly width: number, opacity = 1, onTop = false, hidden = 0) {
     const c = new Color().setStyle(colour, "srgb-linear");
     this.material = new ShaderMaterial({
       glslVersion: GLSL3, vertexShader: VERTEX, fragmentShader: FRAGMENT, transparent: true, depthWrite: false, depthTest: !onTop,
       uniforms: {
         viewport: { value: new Vector2(1, 1) }, width: { value: width }, colour: { value: new Vector4(c.r, c.g, c.b, opacity) },
-        lift: { value: onTop ? 0 : 4e-4 },
+        lift: { value: onTop ? 0 : 4e-4 }, veil: { value: 1 },
       },
     });
     this.geometry = this.allocate();
     this.mesh = new Mesh(this.geometry, this.material);
     this.mesh.frustumCulled = false;
     this.mesh.renderOrder = onTop ? 3 : 2;
+    this.behind = hidden ? veiled(this.mesh, this.material, hidden) : null;
   }
 
   set colour(value: string) {
@@ -94,6 +98,7 @@ export class Lines {
       this.geometry.dispose();
       this.geometry = this.allocate();
       this.mesh.geometry = this.geometry;
+      if (this.behind) this.behind.geometry = this.geometry;
     }
     const d = this.data;
     d[at] = ax; d[at + 1] = ay; d[at + 2] = az; d[at + 3] = bx; d[at + 4] = by; d[at + 5] = bz;
@@ -128,6 +133,19 @@ export class Lines {
   }
 }
 
+/** The same again, faintly, where a surface hides it. */
+function veiled(mesh: Mesh | PointCloud, { uniforms, vertexShader, fragmentShader }: ShaderMaterial, veil: number): Mesh | PointCloud {
+  const material = new ShaderMaterial({
+    glslVersion: GLSL3, vertexShader, fragmentShader, transparent: true, depthWrite: false, depthFunc: GreaterDepth,
+    uniforms: { ...uniforms, veil: { value: veil } },
+  });
+  const behind = mesh instanceof Mesh ? new Mesh(mesh.geometry, material) : new PointCloud(mesh.geometry, material);
+  behind.frustumCulled = false;
+  behind.renderOrder = mesh.renderOrder;
+  mesh.add(behind);
+  return behind;
+}
+
 const POINT_VERTEX = /* glsl */ `
 in vec4 tint;
 uniform float size;
@@ -145,6 +163,7 @@ precision highp float;
 in vec4 shade_;
 uniform float size;
 uniform vec3 rim;
+uniform float veil;
 layout(location = 0) out vec4 pixel;
 void main() {
   float big = shade_.a > 1.5 ? size * 1.45 : size;
@@ -156,7 +175,7 @@ void main() {
   float core = 1.0 - smoothstep(edge - 0.22 * big - 0.5, edge - 0.22 * big + 0.5, r);
   vec3 colour = mix(rim, mix(shade_.rgb, rim, hollow), core);
   colour = mix(colour, shade_.rgb, hollow * (1.0 - core));
-  pixel = vec4(colour, inside * (hollow > 0.5 ? 0.75 : 1.0));
+  pixel = vec4(colour, veil * inside * (hollow > 0.5 ? 0.75 : 1.0));
 }`;
 
 /** Round points of a size in pixels, with a rim, one colour each. */
@@ -168,11 +187,12 @@ export class Points {
   constructor(onTop = false) {
     this.material = new ShaderMaterial({
       glslVersion: GLSL3, vertexShader: POINT_VERTEX, fragmentShader: POINT_FRAGMENT, transparent: true, depthTest: !onTop, depthWrite: false,
-      uniforms: { size: { value: 10 }, lift: { value: 2e-3 }, rim: { value: new Color(1, 1, 1) } },
+      uniforms: { size: { value: 10 }, lift: { value: 2e-3 }, veil: { value: 1 }, rim: { value: new Color(1, 1, 1) } },
     });
     this.mesh = new PointCloud(this.geometry, this.material);
     this.mesh.frustumCulled = false;
     this.mesh.renderOrder = onTop ? 5 : 4;
+    if (!onTop) veiled(this.mesh, this.material, 0.3);
   }
 
   resize(ratio: number): void {

@@ -30,7 +30,16 @@ export class SurfaceMesh {
   readonly mesh: Mesh;
   /** Values of the drawn quantity at the grid points; NaN where there is none. */
   values = new Float32Array(0);
+  /** Grows with every change of the values, so that what follows from them is worked out once. */
+  version = 0;
+  /** 1 where a grid point stands where one before it does: a pole is one point, however many grid points it takes. */
+  repeated = new Uint8Array(0);
+  /** How many places the grid has, and how many of them are singular. */
+  places = 0;
   singular = 0;
+  /** The box around the points in the scene, low and high of x, y, z. */
+  readonly box: number[] = [];
+  private counted: { version: number; counts: number[] } | null = null;
   private readonly buffers = new Map<number, Buffers>();
   private current: Buffers | null = null;
 
@@ -56,16 +65,27 @@ export class SurfaceMesh {
     const { grid } = this;
     grid.evaluate(surface, n, n);
     const { planes: s, stride, count } = grid;
-    this.singular = 0;
+    this.singular = this.places = 0;
+    if (this.repeated.length !== count) this.repeated = new Uint8Array(count);
+    const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity], at = b.position;
+    const same = (p: number, q: number) => at[3 * p] === at[3 * q] && at[3 * p + 1] === at[3 * q + 1] && at[3 * p + 2] === at[3 * q + 2];
     for (let p = 0; p < count; p++) {
       for (let x = 0; x < 3; x++) {
         b.position[3 * p + x] = (s[(PLANE.point + x) * stride + p]! - frame.centre[x]!) * frame.scale;
         const normal = s[(PLANE.normal + x) * stride + p]!;
         b.normal[3 * p + x] = normal === normal ? normal : 0;
+        const value = at[3 * p + x]!;
+        if (value < low[x]!) low[x] = value;
+        if (value > high[x]!) high[x] = value;
       }
+      const again = (p % n > 0 && same(p, p - 1)) || (p >= n && same(p, p - n));
+      this.repeated[p] = again ? 1 : 0;
+      if (again) continue;
+      this.places++;
       const k = s[PLANE.gaussian * stride + p]!;
       if (k !== k) this.singular++;
     }
+    this.box.splice(0, 6, ...low, ...high);
     b.geometry.attributes["position"]!.needsUpdate = true;
     b.geometry.attributes["normal"]!.needsUpdate = true;
     this.mesh.geometry = b.geometry;
@@ -77,6 +97,7 @@ export class SurfaceMesh {
   /** Put another quantity of the surface as last evaluated into the drawn buffers. */
   paint(quantity: string): void {
     const b = this.current;
+    this.version++;
     if (!b) return;
     const u = this.material.uniforms, q = QUANTITY[quantity];
     u["mode"]!.value = !q ? 0 : q.colour === "classes" ? 2 : 1;
@@ -92,6 +113,15 @@ export class SurfaceMesh {
       u["field"]!.value = b.texture;
       u["colours"]!.value = mapTexture(quantity);
     }
+  }
+
+  /** How many places are of each class of the drawn classification. */
+  get counts(): readonly number[] {
+    if (this.counted?.version === this.version) return this.counted.counts;
+    const counts: number[] = [];
+    for (let p = 0; p < this.values.length; p++) if (!this.repeated[p]) counts[this.values[p]!] = (counts[this.values[p]!] ?? 0) + 1;
+    this.counted = { version: this.version, counts };
+    return counts;
   }
 
   /** Vertex positions in the scene, for picking. */

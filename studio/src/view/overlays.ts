@@ -21,10 +21,12 @@ interface Style {
   readonly opacity: number;
   /** Seen through the surface. */
   readonly onTop?: boolean;
+  /** Share of the opacity where a surface hides it. */
+  readonly hidden?: number;
 }
 
 const STYLE: Readonly<Record<Line, Style>> = {
-  net: { width: 1.25, light: "#44566c", dark: "#c3d0e0", opacity: 0.75 },
+  net: { width: 1.25, light: "#44566c", dark: "#c3d0e0", opacity: 0.75, hidden: 0.35 },
   first: { width: 1.75, light: "#101418", dark: "#ffffff", opacity: 0.95 },
   second: { width: 1.25, light: "#7a4b00", dark: "#ffd28a", opacity: 0.95 },
   normals: { width: 1.5, light: "#00785a", dark: "#58dcae", opacity: 0.95 },
@@ -57,7 +59,7 @@ export class Overlays {
   /** Points of the drawn control net in the scene. */
   netPoints: (readonly number[])[] = [];
   private readonly lines = Object.fromEntries(
-    (LINES).map((name) => [name, new Lines(STYLE[name].light, STYLE[name].width, STYLE[name].opacity, STYLE[name].onTop)]),
+    (LINES).map((name) => [name, new Lines(STYLE[name].light, STYLE[name].width, STYLE[name].opacity, STYLE[name].onTop, STYLE[name].hidden)]),
   ) as Record<Line, Lines>;
 
   constructor() {

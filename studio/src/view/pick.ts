@@ -6,6 +6,18 @@ export interface Hit {
   readonly distance: number;
 }
 
+/** Whether a line meets a box, given as low and high of x, y, z; a little widened, since its points are rounded. */
+export function meets(box: readonly number[], origin: readonly number[], ray: readonly number[]): boolean {
+  let near = -Infinity, far = Infinity;
+  for (let x = 0; x < 3; x++) {
+    const a = (box[x]! - 1e-5 - origin[x]!) / ray[x]!, b = (box[x + 3]! + 1e-5 - origin[x]!) / ray[x]!;
+    // Along the slab there is no crossing: NaN, where the line runs in its side, leaves the interval as it is.
+    near = Math.max(near, Math.min(a, b) || near);
+    far = Math.min(far, Math.max(a, b) || far);
+  }
+  return near <= far;
+}
+
 /** The nearest hit of a ray (scene coordinates) with the grid's triangles, `keep` telling what is not cut away. */
 export function pick(
   position: Float32Array, n: number, origin: readonly number[], ray: readonly number[], keep: (x: number, y: number, z: number) => boolean,

@@ -14,10 +14,11 @@ export interface Range {
   readonly least: number;
   readonly most: number;
   readonly mean: number;
-  /** Grid points without a finite value, and those of them where it is infinite. */
+  /** How many grid points have a finite value. */
+  readonly finite: number;
+  /** Points without a finite value, a pole counted once, and those of them where it is infinite. */
   readonly missing: number;
   readonly infinite: number;
-  readonly count: number;
   /** Below this a value is rounding. */
   readonly noise: number;
   /** How many values fall in each of 48 steps from low to high. */
@@ -27,64 +28,71 @@ export interface Range {
 const NOISE = 1e-9; // of the scale: a range as narrow as this shows nothing
 const ROUNDING = 1e-12; // of the scale, as in Python's tables
 const BINS = 48;
-let pool = new Float32Array(0), bends = new Float32Array(0);
+let bends = new Float32Array(0);
 
-/** Common range of a real quantity over several surfaces; `scale` is the size its rounding is relative to. */
-export function rangeOf(meshes: readonly SurfaceMesh[], q: Quantity, settings: Settings): Range {
-  const total = meshes.reduce((sum, mesh) => sum + mesh.values.length, 0);
-  if (pool.length < total) pool = new Float32Array(total);
-  let n = 0, least = Infinity, most = -Infinity, sum = 0, scale = 1, infinite = 0;
-  for (const mesh of meshes) {
-    scale = Math.max(scale === 1 ? 0 : scale, naturalScale(mesh, q));
-    const { values } = mesh;
-    for (let p = 0; p < values.length; p++) {
-      const value = values[p]!; // an iterator would box every one
-      if (value - value !== 0) {
-        if (value === value) infinite++;
-        continue;
-      }
-      pool[n++] = value;
+/** What a surface adds to the range, kept until its values change. */
+interface Part {
+  readonly version: number;
+  /** The finite values in order. */
+  readonly sorted: Float32Array;
+  readonly sum: number;
+  readonly missing: number;
+  readonly infinite: number;
+  readonly scale: number;
+}
+
+const parts = new WeakMap<SurfaceMesh, Part>();
+
+function partOf(mesh: SurfaceMesh, q: Quantity): Part {
+  const known = parts.get(mesh);
+  if (known?.version === mesh.version) return known;
+  const { values, repeated } = mesh, sorted = new Float32Array(values.length);
+  let n = 0, sum = 0, infinite = 0, missing = 0;
+  for (let p = 0; p < values.length; p++) {
+    const value = values[p]!; // an iterator would box every one
+    if (value - value === 0) {
+      sorted[n++] = value;
       sum += value;
-      if (value < least) least = value;
-      if (value > most) most = value;
+    } else if (!repeated[p]) {
+      missing++;
+      if (value === value) infinite++;
     }
   }
-  const finite = pool.subarray(0, n);
-  let [low, high] = ends(finite, least, most, q, settings, scale);
+  const part = { version: mesh.version, sorted: sorted.subarray(0, n).sort(), sum, missing, infinite, scale: naturalScale(mesh, q) };
+  parts.set(mesh, part);
+  return part;
+}
+
+/** Common range of a real quantity over several surfaces: only those that changed are gone through. */
+export function rangeOf(meshes: readonly SurfaceMesh[], q: Quantity, settings: Settings): Range {
+  const all = meshes.map((mesh) => partOf(mesh, q)), lists = all.map((part) => part.sorted).filter((list) => list.length);
+  const total = (of: (part: Part) => number) => all.reduce((sum, part) => sum + of(part), 0);
+  const n = total((part) => part.sorted.length), scale = Math.max(...all.map((part) => part.scale));
+  const least = Math.min(...lists.map((list) => list[0]!)), most = Math.max(...lists.map((list) => list.at(-1)!));
+  let [low, high] = ends(lists, n, least, most, q, settings, scale);
   if (!(high > low)) [low, high] = [low - 0.5 * (Math.abs(low) || 1), low + 0.5 * (Math.abs(low) || 1)];
-  let below = 0, above = 0;
-  const histogram = new Array<number>(BINS).fill(0), per = BINS / (high - low);
-  for (const mesh of meshes) {
-    const { values } = mesh;
-    for (let p = 0; p < values.length; p++) {
-      const value = values[p]!;
-      if (value < low) below++;
-      else if (value > high) above++;
-      else if (value - value === 0) histogram[Math.min(BINS - 1, Math.floor((value - low) * per))]!++;
-    }
-  }
-  const share = n ? 1 / n : 0;
+  const under = Array.from({ length: BINS + 1 }, (_, i) => below(lists, low + ((high - low) * i) / BINS, i === BINS));
+  const histogram = under.slice(1).map((count, i) => count - under[i]!), share = n ? 1 / n : 0;
   return {
-    low, high, below: below * share, above: above * share, least, most, mean: n ? sum / n : NaN, missing: total - n, infinite, count: total, histogram, noise: ROUNDING * scale,
+    low, high, below: under[0]! * share, above: (n - under[BINS]!) * share, least, most, mean: n ? total((part) => part.sum) / n : NaN, finite: n,
+    missing: total((part) => part.missing), infinite: total((part) => part.infinite), histogram, noise: ROUNDING * scale,
   };
 }
 
-function ends(values: Float32Array, least: number, most: number, q: Quantity, settings: Settings, scale: number): [number, number] {
+function ends(lists: readonly Float32Array[], n: number, least: number, most: number, q: Quantity, settings: Settings, scale: number): [number, number] {
   if (settings.range === "fixed") return [settings.low, settings.high];
   if (q.key === "shape_index") return [-1, 1];
-  if (!values.length) return q.colour === "diverging" ? [-1, 1] : [0, 1];
-  const robust = settings.range === "robust", cut = settings.percentile / 100;
+  if (!n) return q.colour === "diverging" ? [-1, 1] : [0, 1];
+  const robust = settings.range === "robust", cut = settings.percentile / 100, rank = (share: number) => Math.round(share * (n - 1));
   if (q.colour === "diverging") {
     const extreme = Math.max(-least, most);
     let bound = extreme;
-    if (robust) {
-      for (let i = 0; i < values.length; i++) values[i] = Math.abs(values[i]!);
-      bound = reach(select(values, 1 - cut), extreme);
-    }
+    if (robust) bound = reach(smallest(0, extreme, rank(1 - cut), (x) => below(lists, x, true) - below(lists, -x)), extreme);
     if (bound <= NOISE * scale || bound === 0) bound = scale > 0 ? scale : 1;
     return [-bound, bound];
   }
-  let low = robust ? select(values, cut) : least, high = robust ? select(values, 1 - cut) : most;
+  const at = (share: number) => smallest(least, most, rank(share), (x) => below(lists, x, true));
+  let low = robust ? at(cut) : least, high = robust ? at(1 - cut) : most;
   const middle = 0.5 * (low + high);
   if (robust) {
     low = middle - reach(middle - low, middle - least);
@@ -94,6 +102,32 @@ function ends(values: Float32Array, least: number, most: number, q: Quantity, se
   if (high > low && high - low >= Math.max(0.02 * Math.abs(middle), NOISE * scale)) return [low, high];
   const half = Math.abs(middle) > NOISE * scale ? 0.5 * Math.abs(middle) : scale || 1;
   return [middle - half, middle + half];
+}
+
+/** How many values of sorted lists are less than a number, or not greater. */
+function below(lists: readonly Float32Array[], x: number, orEqual = false): number {
+  let count = 0;
+  for (const list of lists) {
+    let left = 0, right = list.length;
+    while (left < right) {
+      const middle = (left + right) >> 1, value = list[middle]!;
+      if (value < x || (orEqual && value === x)) left = middle + 1;
+      else right = middle;
+    }
+    count += left;
+  }
+  return count;
+}
+
+/** The least 32-bit number from `low` to `high` that more than `rank` values are not greater than. */
+function smallest(low: number, high: number, rank: number, upTo: (x: number) => number): number {
+  if (upTo(low) > rank) return low;
+  while (true) {
+    const middle = Math.fround(0.5 * low + 0.5 * high);
+    if (middle <= low || middle >= high) return high;
+    if (upTo(middle) > rank) high = middle;
+    else low = middle;
+  }
 }
 
 /** The extreme where it is hardly beyond the robust end, else the robust end. */

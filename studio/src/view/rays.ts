@@ -1,24 +1,13 @@
-/** How far a point moves when the pointer's ray does: along a line, in a plane, facing the eye. */
+/** How far a point moves when the pointer's ray does: along a line or in a plane. */
 
-import type { Axes } from "./camera";
 import type { Ray } from "./stage";
 
 type Vec = readonly number[];
 
-/** Move with the pointer in the plane of the free axes; facing the eye when all are free. */
-export function within(start: Vec, free: readonly [boolean, boolean, boolean], from: Ray, to: Ray, { towards }: Axes): number[] {
-  const count = free.filter(Boolean).length;
-  if (count === 0) return [...start];
-  if (count === 1) return alongLine(start, free.map(Number), from, to);
-  let normal = [towards.x, towards.y, towards.z];
-  if (count === 2) {
-    const across = free.map((can) => (can ? 0 : 1));
-    // Seen edge-on, the plane of the free axes cannot be met: stay in the plane facing the eye.
-    const axis = across.indexOf(1);
-    if (Math.abs(normal[axis]!) > 0.05) normal = across;
-  }
+/** Move with the pointer in a plane. */
+export function inPlane(start: Vec, normal: Vec, from: Ray, to: Ray): number[] {
   const a = meet(start, normal, from), b = meet(start, normal, to);
-  return start.map((x, i) => (free[i] ? x + b[i]! - a[i]! : x));
+  return start.map((x, i) => x + b[i]! - a[i]!);
 }
 
 /** Move along a line by as much as its nearest point to the pointer's ray moves. */

@@ -91,11 +91,12 @@ void main() {
     } else if (stripes == 2) {
       x = acos(clamp(dot(n, light), -1.0, 1.0)) / 3.14159265 * density;
     } else {
-      // A ceiling of parallel tube lights, three scene lengths off along the light's direction.
+      // A ceiling of parallel tube lights, three scene lengths off along the light's direction, at equal angles seen from
+      // the middle: as many as are asked for from side to side, and none so close to another that they blur to grey.
       vec3 ray = stripes == 3 ? reflect(-eye, n) : n;
       float rise = dot(ray, light);
       vec3 hit = place + ray * ((3.0 - dot(place, light)) / max(rise, 1e-4));
-      x = dot(hit, side) * density / 12.0;
+      x = atan(dot(hit, side), 3.0) / 3.14159265 * density;
       seen = smoothstep(0.02, 0.12, rise);
     }
     float dark = band(x) * seen;

@@ -7,7 +7,7 @@ import { Orbit, VIEWS, type ViewName } from "./camera";
 import { Cell } from "./cell";
 import type { Frame } from "./frame";
 import { vector } from "./mesh";
-import { pick, type Hit } from "./pick";
+import { meets, pick, type Hit } from "./pick";
 import type { Range } from "./range";
 import { sectionPlane } from "./section";
 import { isSoftware } from "./software";
@@ -36,6 +36,8 @@ export class Stage {
   private height = 1;
   private ratio = 1;
   private margin = 0;
+  /** CSS pixels at the bottom that lie under the probe. */
+  covered = 0;
   /** Drawn by the processor: then smoothing comes from more pixels at rest, and speed from fewer while something moves. */
   readonly software: boolean;
   private detail = 1;
@@ -126,7 +128,7 @@ export class Stage {
         piece.overlays.resize(cell.width * this.pixels, cell.height * this.pixels, this.pixels);
       });
     }
-    this.orbit.projection = this.works ? settings.projection : "orthographic"; // as still pictures are painted
+    this.orbit.chosen = this.works ? settings.projection : "orthographic"; // as still pictures are painted
   }
 
   draw(): void {
@@ -188,7 +190,7 @@ export class Stage {
     let best: Place | null = null;
     this.cells[cell]!.pieces.forEach((piece, i) => {
       const n = piece.mesh.side;
-      const hit = n > 1 ? pick(piece.mesh.position, n, origin, direction, (px, py, pz) => !clipped || a * px + b * py + c * pz <= d) : null;
+      const hit = n > 1 && meets(piece.mesh.box, origin, direction) ? pick(piece.mesh.position, n, origin, direction, (px, py, pz) => !clipped || a * px + b * py + c * pz <= d) : null;
       if (hit && (!best || hit.distance < best.distance)) best = { ...hit, cell, piece: i };
     });
     return best;
@@ -203,6 +205,7 @@ export class Stage {
   }
 
   view(name: ViewName, frame: Frame, still: boolean, margin: number): void {
+    this.orbit.straight = name !== "iso";
     this.fit(frame, still, margin, VIEWS[name]);
   }
 
@@ -213,13 +216,13 @@ export class Stage {
     const trial = new Orbit();
     trial.azimuth = azimuth;
     trial.elevation = elevation;
-    trial.projection = this.orbit.projection;
+    trial.chosen = this.orbit.projection;
     const { right, up } = trial.axes(), aspect = cell.width / cell.height;
     // The free part of the picture, in device coordinates: above the view buttons and left of the legend.
     const many = this.cells.length > 1, rim = cell.width < 300 ? 10 : 24;
     // Where there is no room beside the legend, the surface is let stand under it.
     const below = !many && margin > 0.3 * cell.width;
-    const end = 1 - (2 * (many || below ? rim : margin + rim)) / cell.width, low = -1 + (2 * (many ? rim : 62)) / cell.height;
+    const end = 1 - (2 * (many || below ? rim : margin + rim)) / cell.width, low = -1 + (2 * (many ? rim : 62 + Math.min(this.covered, 0.5 * cell.height))) / cell.height;
     const start = -1 + (2 * rim) / cell.width, high = 1 - (2 * (below ? Math.min(0.3 * cell.height, 150) : many ? rim + 22 : rim)) / cell.height;
     const p = new Vector3();
     for (let round = 0; round < 6; round++) {
