@@ -1,5 +1,6 @@
 /** The bundle's entry: `mount` for pages, the default export for Jupyter (anywidget), and the numerics for tests. */
 
+import { lastHere, stayHere } from "./app/here";
 import { LiveHost, opened, PageHost } from "./app/host";
 import { Studio } from "./app/studio";
 import { PRESETS } from "./app/state";
@@ -20,11 +21,11 @@ export async function live(element: HTMLElement, place: string): Promise<Studio>
   const host = new LiveHost(place);
   // The token is in a cookie now: keep it out of the address, the history and bookmarks.
   if (location.search) history.replaceState(null, "", location.pathname);
-  const answer = await fetch("api/model");
-  const { model, source } = answer.ok ? opened(await answer.json()) : { model: PRESETS[0]!, source: null };
+  const before = await lastHere(host), answer = await fetch("api/model");
+  const { model, source } = before ?? (answer.ok ? opened(await answer.json()) : { model: PRESETS[0]!, source: null });
   const studio = new Studio(shelter(element), host, { model, source });
   // Without a model a preset is right; a model that cannot be read is told.
-  if (!answer.ok && answer.status !== 404) {
+  if (!before && !answer.ok && answer.status !== 404) {
     const { error } = (await answer.json().catch(() => ({}))) as { error?: string };
     studio.store.set({ message: { kind: "error", text: error ?? `the server answered ${answer.status}` } });
   }
@@ -33,6 +34,7 @@ export async function live(element: HTMLElement, place: string): Promise<Studio>
     document.title = `${model === saved ? "" : "● "}${model.name} – quintrig`;
   };
   studio.store.subscribe(title);
+  stayHere(host, studio.store);
   title();
   return reachable(element, studio);
 }

@@ -1,6 +1,10 @@
-/** Model files as TOML: enough of the language to read and write what a model may hold. */
+/** Model files as TOML. */
+
+import { parse, TomlError } from "smol-toml";
 
 import { ModelError, toDict, type Model } from "./numerics/model";
+
+const DEEPEST = 20;
 
 /** Write a model as TOML. */
 export function toToml(model: Model): string {
@@ -24,68 +28,23 @@ function spell(value: unknown, indent = ""): string {
   return `[\n${value.map((item) => `${indent}    ${spell(item, `${indent}    `)},\n`).join("")}${indent}]`;
 }
 
-/** Read TOML: keys, strings, numbers, booleans, arrays and [[patch]] tables; ModelError with the line for anything else. */
+/** Read TOML 1.0; ModelError in one line, with the place, for what is none. */
 export function fromToml(text: string): Record<string, unknown> {
-  let at = 0;
-  const root: Record<string, unknown> = {};
-  let table = root;
-  const fail = (what: string): never => {
-    throw new ModelError(`not valid TOML: ${what} (at line ${text.slice(0, at).split("\n").length})`);
-  };
-  const blank = (lines: boolean) => {
-    for (;;) {
-      while (at < text.length && (" \t\r".includes(text[at]!) || (lines && text[at] === "\n"))) at++;
-      if (text[at] !== "#") return;
-      while (at < text.length && text[at] !== "\n") at++;
-    }
-  };
-  const match = (pattern: RegExp): string | null => {
-    pattern.lastIndex = at;
-    const found = pattern.exec(text);
-    if (found) at += found[0].length;
-    return found ? found[0] : null;
-  };
-  const value = (depth: number): unknown => {
-    if (depth > 20) fail("nested too deeply");
-    if (text[at] === "[") {
-      at++;
-      const list: unknown[] = [];
-      for (;;) {
-        blank(true);
-        if (text[at] === "]") break;
-        list.push(value(depth + 1));
-        blank(true);
-        if (text[at] === ",") at++;
-        else if (text[at] !== "]") fail("expected , or ]");
-      }
-      at++;
-      return list;
-    }
-    const string = match(/"(?:[^"\\\n]|\\.)*"|'[^'\n]*'/y);
-    if (string) return string.startsWith("'") ? string.slice(1, -1) : (JSON.parse(string) as string);
-    const word = match(/[+\-\w.]+/y);
-    if (word === "true" || word === "false") return word === "true";
-    if (word && /^[+-]?(\d[\d_]*(\.\d[\d_]*)?([eE][+-]?\d+)?|inf|nan)$/.test(word)) {
-      return Number(word.replaceAll("_", "").replace(/inf$/, "Infinity").replace(/^[+-]?nan$/, "NaN"));
-    }
-    return fail("expected a value");
-  };
-  for (;;) {
-    blank(true);
-    if (at >= text.length) return root;
-    if (match(/\[\[\s*patch\s*\]\]/y)) {
-      table = {};
-      root["patch"] = [...((root["patch"] as unknown[] | undefined) ?? []), table];
-    } else {
-      const key = match(/[\w-]+/y) ?? fail("expected a key");
-      blank(false);
-      if (text[at] !== "=") fail(`expected = after ${key}`);
-      at++;
-      blank(false);
-      if (Object.hasOwn(table, key)) fail(`the key ${key} stands twice`);
-      table[key] = value(0);
-    }
-    blank(false);
-    if (at < text.length && text[at] !== "\n") fail("expected the end of the line");
+  try {
+    // A file may begin with a byte order mark, as Python reads it.
+    const { ...table } = parse(text.replace(/^\uFEFF/, ""), { integersAsBigInt: "asNeeded", maxDepth: DEEPEST });
+    return numbers(table) as Record<string, unknown>;
+  } catch (error) {
+    if (!(error instanceof TomlError)) throw error;
+    const [what] = error.message.replace(/^Invalid TOML document: /, "").split("\n");
+    throw new ModelError(`not valid TOML: ${what} (at line ${error.line}, column ${error.column})`);
   }
+}
+
+/** Integers beyond 2⁵³ as the numbers nearest to them. */
+function numbers(value: unknown): unknown {
+  if (typeof value === "bigint") return Number(value);
+  if (Array.isArray(value)) return value.map(numbers);
+  if (typeof value !== "object" || value === null || value instanceof Date) return value;
+  return Object.fromEntries(Object.entries(value).map(([key, item]) => [key, numbers(item)]));
 }

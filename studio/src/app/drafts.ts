@@ -1,26 +1,37 @@
 /**
  * Unsaved work, kept in this browser: one draft a tab and model. A tab holds a lock as long as it lives, so that the
- * drafts of other living tabs are left alone and only those of closed ones are offered.
+ * drafts of other living tabs are left alone and only those of closed ones are offered. A draft carries the file it is
+ * a change of, and that file's tag: restored, it can only be saved there, and only over the version it was made from.
  */
 
-import { fromDict, toDict, type Model } from "../numerics/model";
-import type { Store } from "./state";
+import { fromDict, toDict } from "../numerics/model";
+import type { Source, State, Store, Work } from "./state";
 
 const PREFIX = "quintrig:draft:";
 
-/** Where a question with two answers is put. */
+/** Where a question with two answers is put; the function returned takes it back. */
 interface Asker {
-  offer(text: string, yes: string, act: () => void, no: string, refuse: () => void): void;
+  offer(text: string, yes: string, act: () => void, no: string, refuse: () => void): () => void;
 }
 
-interface Draft {
+interface Draft extends Omit<Work, "opened"> {
   readonly key: string;
   readonly when: number;
-  readonly model: Model;
 }
+
+/** What a draft is in the browser's storage. */
+interface Stored {
+  readonly when: number;
+  readonly model: unknown;
+  readonly saved?: unknown;
+  readonly source?: Source | null;
+}
+
+const MOST_OFFERS = 3;
 
 export class Drafts {
   private readonly key: string;
+  private offers: (() => void)[] = [];
 
   constructor(private readonly place: string) {
     const tab = Math.random().toString(36).slice(2, 10);
@@ -29,60 +40,70 @@ export class Drafts {
     void navigator.locks?.request(this.key, () => new Promise(() => {})).catch(() => {});
   }
 
-  /** Keep what is unsaved in a store, from now on; a drag is kept when it pauses. */
-  watch(store: Store): void {
+  /** Keep what is unsaved in a store, from now on, and offer what closed tabs left; a drag is kept when it pauses. */
+  watch(store: Store, asker: Asker): void {
     let timer = 0;
-    const now = () => this.keep(store.state.model === store.state.saved ? null : store.state.model);
+    const now = () => this.keep(store.state);
     store.subscribe((state, before) => {
-      if (state.model === before.model && state.saved === before.saved) return;
+      if (state.opened !== before.opened) void this.offer(store, asker, state.source);
+      if (state.model === before.model && state.saved === before.saved && state.source === before.source) return;
       clearTimeout(timer);
       if (state.model === state.saved) now();
       else timer = window.setTimeout(now, 400);
     });
     window.addEventListener("pagehide", now);
+    void this.offer(store, asker);
   }
 
-  /** Offer what a closed tab left; `restore` gets the model. */
-  async offer(asker: Asker, restore: (model: Model) => void): Promise<void> {
-    const left = await this.left();
-    if (!left) return;
-    const when = new Date(left.when).toLocaleString([], { dateStyle: "medium", timeStyle: "short" });
-    asker.offer(`Unsaved work on “${left.model.name}” from ${when} was kept.`, "Restore it", () => {
-      void this.forget();
-      restore(left.model);
-    }, "Discard", () => void this.forget());
+  /** Offer what closed tabs left: of every file, or of the one that is open now. */
+  private async offer(store: Store, asker: Asker, only?: Source | null): Promise<void> {
+    for (const withdraw of this.offers.splice(0)) withdraw();
+    const { opened } = store.state, left = await this.left();
+    if (store.state.opened !== opened) return; // another file was opened meanwhile, and asks for itself
+    const wanted = only === undefined ? left : left.filter((draft) => only && draft.source?.name === only.name);
+    this.offers = wanted.slice(0, MOST_OFFERS).map((draft) => {
+      const when = new Date(draft.when).toLocaleString([], { dateStyle: "medium", timeStyle: "short" });
+      const file = draft.source ? ` (${draft.source.name})` : "";
+      return asker.offer(`Unsaved work on “${draft.model.name}”${file} from ${when} was kept.`, "Restore it", () => {
+        store.resume(draft);
+        // The old draft goes only when this tab has its own.
+        if (this.keep(store.state)) drop(draft.key);
+      }, "Discard", () => drop(draft.key));
+    });
   }
 
-  /** Keep a model, or forget it when there is nothing unsaved. */
-  keep(model: Model | null): void {
+  /** Keep a model with its file, or forget it when there is nothing unsaved; false where nothing can be kept. */
+  private keep({ model, saved, source }: State): boolean {
     try {
-      if (model) localStorage.setItem(this.key, JSON.stringify({ when: Date.now(), model: toDict(model) }));
-      else localStorage.removeItem(this.key);
+      if (model === saved) localStorage.removeItem(this.key);
+      else localStorage.setItem(this.key, JSON.stringify({ when: Date.now(), model: toDict(model), saved: toDict(saved), source }));
+      return true;
     } catch {
-      // No storage here: nothing can be kept.
+      return false; // no storage here, or it is full
     }
   }
 
-  /** The newest draft for this place that no living tab owns. */
-  async left(): Promise<Draft | null> {
+  /** The drafts for this place that no living tab owns, the newest first. */
+  private async left(): Promise<Draft[]> {
     const held = new Set((await navigator.locks?.query().catch(() => null))?.held?.map((lock) => lock.name) ?? []);
-    let newest: Draft | null = null;
+    const found: Draft[] = [];
     for (const key of keys()) {
       if (!key.startsWith(`${PREFIX}${this.place}:`) || key === this.key || held.has(key)) continue;
       try {
-        const { when, model } = JSON.parse(localStorage.getItem(key)!) as { when: number; model: unknown };
-        if (!newest || when > newest.when) newest = { key, when, model: fromDict(model) };
+        const { when, model, saved, source } = JSON.parse(localStorage.getItem(key)!) as Stored;
+        const drawn = fromDict(model);
+        // A draft of an earlier version says nothing of its file: it has none.
+        found.push({ key, when, model: drawn, saved: saved ? fromDict(saved) : { ...drawn }, source: source ?? null });
       } catch {
-        localStorage.removeItem(key); // not ours, or of another version
+        drop(key); // not ours, or of another version
       }
     }
-    return newest;
+    return found.sort((a, b) => b.when - a.when);
   }
+}
 
-  /** Forget the drafts of this place that no living tab owns. */
-  async forget(): Promise<void> {
-    for (let draft = await this.left(); draft; draft = await this.left()) localStorage.removeItem(draft.key);
-  }
+function drop(key: string): void {
+  localStorage.removeItem(key);
 }
 
 function keys(): string[] {

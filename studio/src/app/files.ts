@@ -8,16 +8,18 @@ import type { Item } from "../ui/controls";
 import { ask, askName, askPicture, askTolerance, type PictureChoice } from "../ui/dialogs";
 import { download, fileName, h } from "../ui/dom";
 import { short } from "../ui/format";
-import { Conflict, type Format, type Host } from "./host";
+import { Conflict, Lost, type Format, type Host } from "./host";
 import { activePatch, type Store } from "./state";
 
 const LARGEST = 16 * 2 ** 20;
+const BEAT = 15_000; // ms between looks at whether the server is there
 
 export class Files {
   private known: readonly string[] = [];
   private formats: readonly Format[] = [];
   /** The model and patch that the formats were asked for. */
   private asked = "";
+  private lost = false;
 
   constructor(
     private readonly store: Store, private readonly host: Host, private readonly root: () => HTMLElement,
@@ -92,10 +94,10 @@ export class Files {
   }
 
   async load(name: string): Promise<void> {
-    if (!(await this.leave())) return;
     await this.guard(async () => {
       const { model, source } = await this.host.load(name);
-      this.store.open(model, source);
+      // Asked last, so that nothing changed while the file was on its way is lost.
+      if (await this.leave()) this.store.open(model, source);
     });
   }
 
@@ -152,10 +154,11 @@ export class Files {
   }
 
   private async write(name: string, tag: string | null): Promise<void> {
-    const { model } = this.store.state;
+    const { model, opened } = this.store.state;
     try {
       const source = await this.host.save(name, model, tag);
-      this.store.set({ saved: model, source: source ?? this.store.state.source, message: { kind: "note", text: source ? `Saved ${source.name}` : "Downloaded" } });
+      this.store.written(opened, model, source);
+      this.store.set({ message: { kind: "note", text: source ? `Saved ${source.name}` : "Downloaded" } });
       void this.look();
     } catch (error) {
       if (!(error instanceof Conflict)) return this.fail(error);
@@ -181,7 +184,53 @@ export class Files {
     }
   }
 
+  /** Notice that the server has stopped or is another one, also while nothing is asked of it. */
+  watch(): void {
+    const look = () => void this.connected();
+    window.addEventListener("focus", look);
+    setInterval(() => document.visibilityState === "visible" && look(), BEAT);
+  }
+
+  /** Tell once when the server is lost, and when it is there again. */
+  private async connected(): Promise<void> {
+    try {
+      await this.host.list();
+      if (this.lost) this.store.set({ message: { kind: "note", text: "Connected to the studio's server again" } });
+      if (this.lost) void this.look();
+      this.lost = false;
+    } catch (error) {
+      if (error instanceof Lost && !this.lost) this.fail(error);
+    }
+  }
+
   private fail(error: unknown): void {
-    this.store.set({ message: { kind: "error", text: (error as Error).message } });
+    const { message } = error as Error;
+    if (!(error instanceof Lost)) return this.store.set({ message: { kind: "error", text: message } });
+    this.lost = true;
+    const { source } = this.store.state;
+    this.store.set({
+      message: {
+        kind: "error", text: message, lines: [
+          `To reconnect: ${error.stopped ? `run “quintrig view ${source?.name ?? "MODEL"}” in a terminal, ` : ""}open the address that quintrig view printed in this browser, then try again here.`,
+          "Or download the model, and open it in the new tab.",
+        ],
+        actions: [
+          { label: "Download the model", act: () => this.download() },
+          { label: "Try again", act: () => void this.again() },
+        ],
+      },
+    });
+  }
+
+  /** Ask the server anew, and say so when it is still not there. */
+  private async again(): Promise<void> {
+    this.store.set({ message: null });
+    await this.guard(async () => void (await this.host.list()));
+    await this.connected();
+  }
+
+  private download(): void {
+    const { model, source } = this.store.state;
+    download(source?.name.replace(/\.\w+$/, ".toml") ?? `${fileName(model.name)}.toml`, toToml(model));
   }
 }

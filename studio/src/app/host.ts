@@ -42,6 +42,13 @@ export interface Opened {
 /** The version on disk is another one than was read. */
 export class Conflict extends Error {}
 
+/** The server that the page came from does not answer any more, or another one does, to which the page has no key. */
+export class Lost extends Error {
+  constructor(readonly stopped: boolean) {
+    super(`${stopped ? "The studio's server has stopped: it does not answer." : "The studio's server was started anew, and does not know this tab."} Your work is still here, and unsaved changes are kept in this browser.`);
+  }
+}
+
 export interface Host {
   readonly kind: "live" | "embedded" | "notebook";
   /** Key under which unsaved work is kept. */
@@ -130,10 +137,12 @@ export class LiveHost implements Host {
     try {
       answer = await fetch(path, { method, body: body ?? null, ...(body ? { headers: { "Content-Type": "application/json" } } : {}) });
     } catch {
-      throw new Error("the server does not answer: has quintrig view been stopped? Your work is kept in this browser");
+      throw new Lost(true);
     }
     if (answer.ok) return answer;
     const said = (await answer.json().catch(() => null)) as { error?: string } | null;
+    // A refusal without a reason of its own is that of a server with another token, or of another program there.
+    if (answer.status === 403 && !said) throw new Lost(false);
     const text = said?.error ?? `the server answered ${answer.status}`;
     if (answer.status === 409) throw new Conflict(text);
     throw answer.status === 422 ? new ModelError(text) : new Error(text);

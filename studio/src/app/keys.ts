@@ -2,6 +2,7 @@
 
 import { handles } from "../edit/handles";
 import { build } from "../numerics/model";
+import { isTyping } from "../ui/controls";
 import { nudge } from "../ui/model-panel";
 import type { ViewName } from "../view/camera";
 import type { Frame } from "../view/frame";
@@ -11,6 +12,9 @@ import { activePatch, type Compare, type Store } from "./state";
 
 const VIEW_KEYS: Readonly<Record<string, ViewName>> = { "1": "iso", "2": "top", "3": "side", "4": "back", "5": "front", "6": "bottom" };
 const ARROWS: Readonly<Record<string, readonly [number, number]>> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+
+const TEXT = "input:not([type=checkbox], [type=range], [type=radio]), select, textarea, [contenteditable]";
+const OWN_ARROWS = "input[type=range], input[type=radio], [role=radio], .knob";
 
 export interface Commands {
   readonly store: Store;
@@ -26,20 +30,22 @@ export interface Commands {
 /** Act on a key; true when it was one of ours. */
 export function press(event: KeyboardEvent, c: Commands): boolean {
   const { store, stage } = c, { settings } = store.state;
-  const target = event.composedPath()[0] as HTMLElement;
+  const target = event.composedPath()[0];
+  if (!(target instanceof HTMLElement)) return false;
   if (event.ctrlKey || event.metaKey) {
     const key = event.key.toLowerCase();
     if (key === "s") void c.files.save();
     else if (key === "o") c.files.choose();
-    else if (target.matches("input[type=text], input[type=number], textarea")) return false;
+    else if (isTyping(target)) return false;
     else if (key === "z" && event.shiftKey) store.redo();
     else if (key === "z") store.undo();
     else if (key === "y") store.redo();
     else return false;
     return true;
   }
-  if (event.altKey || target.matches("input:not([type=checkbox]), select, textarea, [role=radio], .knob")) return false;
+  if (event.altKey || target.matches(TEXT)) return false;
   const view = VIEW_KEYS[event.key], arrow = ARROWS[event.key];
+  if (arrow && target.matches(OWN_ARROWS)) return false;
   if (view) c.view(view);
   else if (arrow) arrowKey(arrow, event.shiftKey, c);
   else if (event.key === "+" || event.key === "=") stage.orbit.zoom(0.85);

@@ -19,11 +19,17 @@ export interface Source {
   readonly tag: string;
 }
 
-export interface State {
+/** A model with the file it belongs to: the two never part, whatever opens, restores or undoes. */
+export interface Work {
   readonly model: Model;
   /** The model as last opened or saved. */
   readonly saved: Model;
   readonly source: Source | null;
+  /** Which opening it belongs to: an undo may lead back to the one before. */
+  readonly opened: number;
+}
+
+export interface State extends Work {
   readonly patch: number;
   readonly selected: string | null;
   readonly settings: Settings;
@@ -35,8 +41,6 @@ export interface State {
   readonly canRedo: boolean;
   /** True while something is dragged: coarse is good enough. */
   readonly moving: boolean;
-  /** How many models were opened. */
-  readonly opened: number;
   readonly message: Message | null;
 }
 
@@ -45,13 +49,15 @@ export interface Message {
   readonly text: string;
   readonly kind: "error" | "note";
   readonly lines?: readonly string[];
+  readonly actions?: readonly { readonly label: string; act(): void }[];
 }
 
 export type Listener = (now: State, before: State) => void;
 
 export class Store {
-  private past: Model[] = [];
-  private future: Model[] = [];
+  private past: Work[] = [];
+  private future: Work[] = [];
+  private openings = 1;
   private gesture: string | null = null;
   private readonly listeners: Listener[] = [];
 
@@ -76,12 +82,27 @@ export class Store {
   edit(model: Model, gesture: string | null = null): void {
     if (model === this.state.model) return;
     if (gesture === null || gesture !== this.gesture) {
-      this.past.push(this.state.model);
-      if (this.past.length > 500) this.past.shift();
+      this.remember();
     }
     this.gesture = gesture;
     this.future = [];
-    this.replace(model, gesture !== null);
+    this.replace({ ...workOf(this.state), model }, gesture !== null);
+  }
+
+  /** Take up work on another file, or another version of this one, as a step that can be undone. */
+  resume(work: Omit<Work, "opened">): void {
+    this.remember();
+    this.gesture = null;
+    this.future = [];
+    this.replace({ ...work, opened: ++this.openings }, false);
+  }
+
+  /** A model of one opening was written: every step of that opening belongs to this version of the file now. */
+  written(opened: number, saved: Model, source: Source | null): void {
+    const told = <T extends Work>(work: T): T => (work.opened === opened ? { ...work, saved, source: source ?? work.source } : work);
+    this.past = this.past.map(told);
+    this.future = this.future.map(told);
+    this.set(told(this.state));
   }
 
   /** Replace the active patch. */
@@ -97,19 +118,19 @@ export class Store {
   }
 
   undo(): void {
-    const model = this.past.pop();
-    if (!model) return;
-    this.future.push(this.state.model);
+    const work = this.past.pop();
+    if (!work) return;
+    this.future.push(workOf(this.state));
     this.gesture = null;
-    this.replace(model, false);
+    this.replace(work, false);
   }
 
   redo(): void {
-    const model = this.future.pop();
-    if (!model) return;
-    this.past.push(this.state.model);
+    const work = this.future.pop();
+    if (!work) return;
+    this.past.push(workOf(this.state));
     this.gesture = null;
-    this.replace(model, false);
+    this.replace(work, false);
   }
 
   /** Start on another model; nothing of the old one can be undone. */
@@ -119,15 +140,22 @@ export class Store {
     this.gesture = null;
     this.set({
       model, saved, source, patch: 0, selected: null, pins: [], hover: null, kept: [], compare: "off", canUndo: false, canRedo: false,
-      moving: false, message: null, opened: this.state.opened + 1,
+      moving: false, message: null, opened: ++this.openings,
     });
   }
 
-  private replace(model: Model, moving: boolean): void {
-    const patch = Math.min(this.state.patch, model.patches.length - 1);
-    this.set({ model, patch, moving, canUndo: this.past.length > 0, canRedo: this.future.length > 0 });
+  private remember(): void {
+    this.past.push(workOf(this.state));
+    if (this.past.length > 500) this.past.shift();
+  }
+
+  private replace(work: Work, moving: boolean): void {
+    const patch = Math.min(this.state.patch, work.model.patches.length - 1);
+    this.set({ ...work, patch, moving, canUndo: this.past.length > 0, canRedo: this.future.length > 0 });
   }
 }
+
+const workOf = ({ model, saved, source, opened }: State): Work => ({ model, saved, source, opened });
 
 export const PRESETS: readonly Model[] = (data.presets as unknown[]).map(fromDict);
 

@@ -92,7 +92,10 @@ export class Studio {
     container.append(this.root);
     this.drafts = new Drafts(host.place);
     listen(this.canvas, { store, stage: this.stage, frame: () => this.frame, fit: () => this.fit(), editable: (cell) => cellsOf(store.state)[cell]?.editable ?? false, redraw: () => this.plan(), ownsWheel: () => host.kind === "live" || this.canvas.matches(":focus") });
-    this.root.addEventListener("keydown", (event) => {
+    // A live page is all studio: its keys work also when the focus is on nothing.
+    const keyed: HTMLElement | Document = host.kind === "live" ? document : this.root;
+    keyed.addEventListener("keydown", (event) => {
+      if (!(event instanceof KeyboardEvent) || this.root.querySelector("dialog[open]")) return;
       if (press(event, { store, stage: this.stage, files: this.files, frame: () => this.frame, fit: () => this.fit(), view: (name) => this.view(name), redraw: () => this.plan(), help: () => void showHelp(this.root) })) event.preventDefault();
     });
     this.files.receive(this.root);
@@ -113,12 +116,9 @@ export class Studio {
     this.resize();
     this.plan(true);
     if (host.kind !== "notebook") {
-      this.drafts.watch(store);
-      void this.drafts.offer(this.status, (model) => {
-        this.refit = true;
-        store.edit(model);
-      });
+      this.drafts.watch(store, this.status);
     }
+    if (host.kind === "live") this.files.watch();
   }
 
   private changed(now: State, before: State, start: Start): void {

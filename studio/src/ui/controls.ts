@@ -28,12 +28,31 @@ export interface SliderOptions {
   onSettle?(): void;
 }
 
-/** Whether somebody is typing in a field: what they type must not be replaced under their hands. */
-function typing(field: HTMLInputElement): () => boolean {
-  let busy = false;
-  field.addEventListener("input", () => (busy = true));
-  for (const end of ["change", "blur"]) field.addEventListener(end, () => (busy = false));
-  return () => busy;
+const busy = new WeakSet<EventTarget>();
+
+/** Whether somebody is typing in a field: until it is committed it must not be replaced, and its keys are its own. */
+export const isTyping = (field: EventTarget): boolean => busy.has(field);
+
+/** Follow whether somebody types in a field; `restore` puts back what holds when they leave or give up. */
+export function typing(field: HTMLInputElement, restore: () => void): void {
+  field.addEventListener("input", () => busy.add(field));
+  field.addEventListener("change", () => busy.delete(field));
+  const leave = () => {
+    busy.delete(field);
+    restore();
+  };
+  field.addEventListener("blur", leave);
+  field.addEventListener("keydown", (event) => {
+    if (event.key !== "Escape" || !isTyping(field)) return;
+    event.stopPropagation();
+    leave();
+  });
+}
+
+/** Say what is wrong with what was typed; the field itself goes back to what holds. */
+function refuse(field: HTMLInputElement, good: boolean, expected: string): void {
+  field.classList.toggle("wrong", !good);
+  field.title = good ? "" : `${field.value || "That"} was not taken: expected ${expected}`;
 }
 
 /** A slider with a number field and marks at special values; values beyond it may be typed unless `hard`. */
@@ -44,8 +63,10 @@ export function slider(options: SliderOptions): Slider {
   const share = (value: number) => `${(100 * (Math.min(max, Math.max(min, value)) - min)) / (max - min)}%`;
   const range = h("input", { type: "range", id, min, max, step, "aria-label": options.name });
   const field = h("input", { type: "number", class: "number", step, "aria-label": `${options.name}, number`, ...(options.hard ? { min, max } : {}) });
-  const busy = typing(field), fill = h("div", { class: "track" });
+  const fill = h("div", { class: "track" });
   let shown = NaN;
+  const restore = () => void (field.value = Number.isNaN(shown) ? "" : String(Number(shown.toPrecision(8))));
+  typing(field, restore);
   range.addEventListener("input", () => {
     show(Number(range.value));
     options.onInput(Number(range.value));
@@ -54,10 +75,10 @@ export function slider(options: SliderOptions): Slider {
   field.addEventListener("change", () => {
     const value = typed(field);
     const good = Number.isFinite(value) && (!options.hard || (value >= min && value <= max));
-    field.classList.toggle("wrong", !good);
-    field.title = good ? "" : `Expected a number from ${min} to ${max}`;
-    if (!good || value === shown) return;
+    refuse(field, good, options.hard ? `a number from ${min} to ${max}` : "a number");
+    if (!good || value === shown) return restore();
     shown = value;
+    restore();
     options.onInput(value);
     options.onSettle?.();
   });
@@ -82,8 +103,8 @@ export function slider(options: SliderOptions): Slider {
       range.value = String(value);
       shown = value;
       show(value);
-      if (busy()) return;
-      field.value = String(Number(value.toPrecision(8)));
+      if (isTyping(field)) return;
+      restore();
       field.classList.remove("wrong");
     },
     bounds(low, high, fine) {
@@ -105,15 +126,16 @@ export interface NumberOptions {
 
 export function numberField(options: NumberOptions): Control<number> {
   const field = h("input", { type: "number", class: "number", step: options.step ?? "any", "aria-label": options.name });
-  const busy = typing(field);
   let shown = NaN;
+  const restore = () => void (field.value = Number.isNaN(shown) ? "" : String(Number(shown.toPrecision(10))));
+  typing(field, restore);
   field.addEventListener("change", () => {
     const value = typed(field);
     const good = Number.isFinite(value) && Math.abs(value) <= 1e50 && (!options.positive || value > 0);
-    field.classList.toggle("wrong", !good);
-    field.title = good ? "" : options.positive ? "Expected a number greater than 0" : "Expected a number";
-    if (!good || value === shown) return;
+    refuse(field, good, options.positive ? "a number greater than 0" : "a number");
+    if (!good || value === shown) return restore();
     shown = value;
+    restore();
     options.onChange(value);
   });
   const element = h("label", { class: "field" }, h("span", {}, options.label), field);
@@ -121,9 +143,9 @@ export function numberField(options: NumberOptions): Control<number> {
     element,
     update(value) {
       shown = value;
-      if (busy()) return;
+      if (isTyping(field)) return;
       field.disabled = Number.isNaN(value);
-      field.value = Number.isNaN(value) ? "" : String(Number(value.toPrecision(10)));
+      restore();
       field.classList.remove("wrong");
     },
   };

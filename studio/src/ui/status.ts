@@ -44,8 +44,8 @@ export class StatusBar {
     this.right.textContent = `${facts.side} × ${facts.side} points, ${facts.cost.toFixed(1)} ms`;
   }
 
-  /** A question with two answers, until one is given. */
-  offer(text: string, yes: string, act: () => void, no: string, refuse: () => void): void {
+  /** A question with two answers, until one is given or the function returned is called. */
+  offer(text: string, yes: string, act: () => void, no: string, refuse: () => void): () => void {
     const box = h("div", { class: "banner", role: "alert" }, h("span", {}, text));
     box.append(
       button(yes, yes, () => {
@@ -57,6 +57,7 @@ export class StatusBar {
         refuse();
       }));
     this.banner.append(box);
+    return () => box.remove();
   }
 
   warn(text: string): void {
@@ -70,7 +71,8 @@ export class StatusBar {
     if (!message) return;
     this.banner.append(h("div", { class: `banner message ${message.kind}`, role: message.kind === "error" ? "alert" : "status" },
       h("div", {}, message.text, message.lines?.length ? h("ul", {}, ...message.lines.map((line) => h("li", {}, line))) : null),
+      ...(message.actions ?? []).map(({ label, act }) => button(label, label, act)),
       button(icon(ICONS.close), "Close", () => this.store.set({ message: null }), "tiny")));
-    if (message.kind === "note" && !message.lines) this.timer = window.setTimeout(() => this.store.set({ message: null }), 4000);
+    if (message.kind === "note" && !message.lines && !message.actions) this.timer = window.setTimeout(() => this.store.set({ message: null }), 4000);
   }
 }

@@ -3,7 +3,7 @@
 import type { Files } from "../app/files";
 import { PRESETS, starterOf, type Compare, type State, type Store } from "../app/state";
 import { KINDS } from "../numerics/model";
-import { button, menu, segmented, type Control, type Item } from "./controls";
+import { button, isTyping, menu, segmented, typing, type Control, type Item } from "./controls";
 import { h, icon, ICONS } from "./dom";
 import { capital } from "./format";
 import { keep } from "./kept";
@@ -18,6 +18,7 @@ export class TopBar {
 
   constructor(store: Store, files: Files, theme: () => void, help: () => void, panel: () => void, embedded: boolean) {
     this.name = h("input", { class: "name", "aria-label": "Name of the model", spellcheck: "false", maxlength: 200 });
+    typing(this.name, () => void (this.name.value = store.state.model.name));
     this.name.addEventListener("change", () => {
       const name = this.name.value.trim();
       if (!name) return void (this.name.value = store.state.model.name);
@@ -57,7 +58,7 @@ export class TopBar {
   }
 
   refresh(state: State): void {
-    if (!this.name.matches(":focus")) this.name.value = state.model.name;
+    if (!isTyping(this.name)) this.name.value = state.model.name;
     this.name.style.setProperty("--letters", String(Math.min(30, Math.max(6, this.name.value.length))));
     this.dirty.hidden = state.model === state.saved;
     this.undo.disabled = !state.canUndo;
