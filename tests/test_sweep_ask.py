@@ -137,7 +137,9 @@ def test_a_broken_part_is_named(tmp_path):
     with pytest.raises(QuintrigError, match="holds no finished part yet"):
         select(sweep, Question())
     run(sweep)
-    sweep.files()[0].write_bytes(b"PAR1")
+    part = sweep.files()[0]
+    whole = part.read_bytes()
+    part.write_bytes(whole[:8] + b"?" * (len(whole) - 16) + whole[-8:])
     with pytest.raises(QuintrigError, match="cannot be read"):
         select(sweep, Question())
 
@@ -167,7 +169,11 @@ def test_values_are_those_of_the_files(lids):
     least = select(load_sweep(lids), Question("", "bending_energy"), 1)
     result = quintrig("sweep", lids, "--best", "bending_energy", "--top", 1)
     for name in ("zeta1", "alpha2", "gaussian_max", "bending_energy", "area"):
-        assert shown(float(least[name][0]), 5) in next(line for line in result.out.splitlines() if f" {name} " in line)
+        told = float(next(line for line in result.out.splitlines() if f" {name} " in line).split("│")[-2])
+        if name.endswith("_max"):  # refined between the points
+            assert told >= float(shown(float(least[name][0]), 5))
+        else:
+            assert told == float(shown(float(least[name][0]), 5))
 
 
 def test_infinity_is_told_as_such_and_comes_last(tmp_path):

@@ -226,7 +226,7 @@ def test_a_file_in_place_of_the_folder_is_refused(tmp_path):
 
 @pytest.mark.parametrize(
     ("text", "said"),
-    [("{", "cannot be read"), ("[]", "not a description"), ('{"format": 99}', "not a description"), (None, "no sweep")],
+    [("{", "is damaged"), ("[]", "is damaged"), ('{"format": 99}', "not a description"), (None, "no sweep")],
 )
 def test_a_folder_without_a_readable_description_is_refused(tmp_path, text, said):
     if text is not None:

@@ -100,8 +100,12 @@ def _dress(draft: Path, target: Path) -> None:
 
 def _refuse_special(target: Path) -> None:
     found = ""
-    with suppress(OSError):  # told when it is written
+    try:
         found = _special(target)
+    except UnicodeError as error:
+        raise _refusal(target, error) from None
+    except OSError:
+        pass  # told when it is written
     if found:
         remedy = "add a file name" if found == "a folder" else "choose another name"
         raise QuintrigError(f"{target}: expected the name of a file to write, found {found}; {remedy}")

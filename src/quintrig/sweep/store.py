@@ -208,8 +208,8 @@ def _read(folder: Path) -> dict[str, Any]:
         if any(folder.glob("part-*.parquet")):
             raise _damaged(place) from None
         raise QuintrigError(f"{folder}: holds no sweep ({_DESCRIPTION} is missing)") from None
-    except (ValueError, RecursionError):
-        raise _damaged(place) from None
+    except (ValueError, RecursionError) as error:
+        raise _damaged(place, f" ({error})") from None
     except OSError as error:
         raise QuintrigError(f"{place}: cannot be read ({error.strerror}); check the permissions") from None
     if not isinstance(data, dict):
@@ -224,8 +224,8 @@ def _read(folder: Path) -> dict[str, Any]:
     return found
 
 
-def _damaged(place: Path) -> DamagedError:
-    return DamagedError(f"{place}: is damaged; give the command that began the sweep again, which repairs it")
+def _damaged(place: Path, why: str = "") -> DamagedError:
+    return DamagedError(f"{place}: is damaged{why}; give the command that began the sweep again, which repairs it")
 
 
 def _check_disk(folder: Path, task: Task) -> None:
