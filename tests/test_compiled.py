@@ -14,12 +14,12 @@ import pytest
 
 import oracle
 import quintrig
-from quintrig import compiled
-from quintrig.basis import Bernstein, Trigonometric
-from quintrig.blocks import BLOCK, increment_blocks, pad
-from quintrig.bspline import normalised
-from quintrig.functions import Circular, Joined, Powers
-from quintrig.increments import increments, split, terms
+from quintrig.basis.bspline import normalised
+from quintrig.basis.functions import Circular, Joined, Powers
+from quintrig.basis.increments import increments, split, terms
+from quintrig.basis.trigonometric import Bernstein, Trigonometric
+from quintrig.kernel.blocks import BLOCK, increment_blocks, pad
+from quintrig.support import compiled
 
 SOURCE = Path(quintrig.__file__).parent
 
@@ -30,7 +30,7 @@ from numba.core.caching import IndexDataCacheFile
 from numba.core.dispatcher import Dispatcher
 {before}
 import quintrig
-from quintrig import compiled
+from quintrig.support import compiled
 x, y = np.meshgrid(np.linspace(0, 5, 6), np.linspace(0, 5, 6), indexing="ij")
 surface = quintrig.tensor(np.stack([x, y, np.sin(x) * np.cos(y)], axis=-1), (0.5, -1, -3, 1))
 u, v = quintrig.grid(5, 6)

@@ -10,17 +10,17 @@ import pytest
 
 import quintrig
 from cli_runner import quintrig as command
-from quintrig.bspline import CLOSEST, normalised
-from quintrig.definition import KINDS
-from quintrig.errors import ModelError
-from quintrig.exchange.toml import to_toml
-from quintrig.integrate import integrals
-from quintrig.model import Model
-from quintrig.nurbs import LARGEST_RATIO
-from quintrig.quadrature import MOST_NODES
-from quintrig.starter import starter
-from quintrig.summary import summarise
-from quintrig.surface import LARGEST_SIZE, SMALLEST_SIZE
+from quintrig.analysis.integrate import integrals
+from quintrig.analysis.quadrature import MOST_NODES
+from quintrig.analysis.summary import summarise
+from quintrig.basis.bspline import CLOSEST, normalised
+from quintrig.geometry.nurbs import LARGEST_RATIO
+from quintrig.geometry.surface import LARGEST_SIZE, SMALLEST_SIZE
+from quintrig.model.definition import KINDS
+from quintrig.model.model import Model
+from quintrig.model.starter import starter
+from quintrig.model.toml import to_toml
+from quintrig.support.errors import ModelError
 
 LENGTHS = ("points", "section", "trajectory", "profile", "first", "second")
 NOT_LENGTHS = ("name", "flip", "kind")

@@ -9,14 +9,14 @@ from time import perf_counter
 
 import pytest
 
-from quintrig.errors import ModelError
 from quintrig.exchange.nets import model_from_net
-from quintrig.exchange.toml import to_toml
-from quintrig.files import refuse_loss
-from quintrig.model import load
-from quintrig.parsing import DEEPEST, parse
+from quintrig.model.model import load
+from quintrig.model.toml import to_toml
 from quintrig.studio import folder
 from quintrig.studio.merge import merged
+from quintrig.support.errors import ModelError
+from quintrig.support.files import refuse_loss
+from quintrig.support.parsing import DEEPEST, parse
 from quintrig.sweep.store import load_sweep
 
 DEEP = {

@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 import quintrig
 from catalogue import SURFACES, build
 from closeness import HEIGHT, STEEP, clear, natural, off, sound
-from quintrig.quantity import CLASSES, QUANTITIES, mirrored
-from quintrig.surface import Net, Surface
+from quintrig.geometry.surface import Net, Surface
+from quintrig.quantities.table import CLASSES, QUANTITIES, mirrored
 
 ROUNDING = 1e-11
 NETS = [name for name in SURFACES if SURFACES[name].model["kind"] not in ("developable", "nurbs")]

@@ -9,12 +9,12 @@ from scipy.interpolate import NdBSpline
 
 import quintrig
 import shapes
-from quintrig import rational
-from quintrig.basis import Bernstein, Trigonometric
-from quintrig.bspline import clamped
-from quintrig.exact import blossomed, exact_curve, exact_surface, weight_ratio
-from quintrig.functions import Circular, Joined, Powers
-from quintrig.rational import NotRationalError, TangentMap
+from quintrig.basis import rational
+from quintrig.basis.bspline import clamped
+from quintrig.basis.functions import Circular, Joined, Powers
+from quintrig.basis.rational import NotRationalError, TangentMap
+from quintrig.basis.trigonometric import Bernstein, Trigonometric
+from quintrig.geometry.exact import blossomed, exact_curve, exact_surface, weight_ratio
 
 SURFACES = shapes.rational()
 

@@ -15,18 +15,18 @@ import numpy as np
 import pytest
 from PIL import Image as Picture
 
-from quintrig import summary
-from quintrig.definition import KINDS
-from quintrig.errors import QuintrigError
-from quintrig.extremes import find_extremes
-from quintrig.integrate import INTEGRALS, integrals
-from quintrig.model import Model, load
-from quintrig.quantity import QUANTITIES
+from quintrig.analysis import summary
+from quintrig.analysis.extremes import find_extremes
+from quintrig.analysis.integrate import INTEGRALS, integrals
+from quintrig.model.definition import KINDS
+from quintrig.model.model import Model, load
+from quintrig.model.starter import starter
+from quintrig.quantities.table import QUANTITIES
 from quintrig.report import kinds, pictures, write, write_report
 from quintrig.report.mathml import mathml
 from quintrig.report.pictures import Image
 from quintrig.report.wording import aligned, number, percent, prose, span
-from quintrig.starter import starter
+from quintrig.support.errors import QuintrigError
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 CASES = json.loads((Path(__file__).parent / "data" / "cases.json").read_text())

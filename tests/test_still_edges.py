@@ -6,9 +6,9 @@ import pytest
 import oracle
 import quintrig
 from catalogue import build
-from quintrig.basis import Trigonometric
-from quintrig.blocks import increment_blocks
-from quintrig.increments import across, increments
+from quintrig.basis.increments import across, increments
+from quintrig.basis.trigonometric import Trigonometric
+from quintrig.kernel.blocks import increment_blocks
 from random_models import RANDOM
 
 KINDS = ("tensor", "symmetric", "swept", "swung", "ruled")

@@ -785,8 +785,8 @@ def test_exports_through_the_server_are_read_by_others(context, served, tmp_path
     import ezdxf
     import trimesh
 
+    from quintrig.basis.rational import RIGHT_ANGLE
     from quintrig.exchange.imports import open_model
-    from quintrig.rational import RIGHT_ANGLE
 
     page = opened(context, served.site.address)
     page.get_by_label("alpha 1, number").fill("-1")  # what is shown is exported, not what was saved
@@ -842,8 +842,8 @@ TENSOR = {"kind": "tensor", "points": [[[i, j, (i - 2.5) ** 2 + (j - 2.5) ** 2] 
 
 
 def test_the_words_on_the_normal_are_pythons(context, served):
-    from quintrig import signs
-    from quintrig.table import normal_note
+    from quintrig.analysis.table import normal_note
+    from quintrig.quantities import signs
 
     names = quintrig.quantity.BY_KEY["hk_type"].classes
     words = {row[0]: row[-1] for row in signs.TYPES.rows}

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import quintrig
-from quintrig.studio.describe import as_model
-from quintrig.surface import Net, Surface
+from quintrig.geometry.surface import Net, Surface
+from quintrig.model.recognise import as_model
 
 pytest.importorskip("anywidget", reason="the extra 'jupyter' is not installed")
 

@@ -10,7 +10,7 @@ import pytest
 
 import quintrig
 from catalogue import SURFACES
-from quintrig.quantity import BY_KEY, QUANTITIES
+from quintrig.quantities.table import BY_KEY, QUANTITIES
 from quintrig.studio import BUNDLE
 from random_models import RANDOM, displaced
 

@@ -4,13 +4,13 @@ import numpy as np
 import pytest
 
 from cli_runner import quintrig
-from quintrig.errors import QuintrigError
+from quintrig.exchange.tables import shown
 from quintrig.figure.parallel import parallel_coordinates
-from quintrig.model import Model
+from quintrig.model.model import Model
+from quintrig.support.errors import QuintrigError
 from quintrig.sweep import Axis, DesignSpace, Question, Task, count, load_sweep, open_sweep, run, select
 from quintrig.sweep import store as sweep_store
 from quintrig.sweep.part import columns
-from quintrig.typeset import shown
 
 pl = pytest.importorskip("polars")
 pytest.importorskip("pyarrow")

@@ -8,11 +8,11 @@ import pytest
 
 import oracle
 import quintrig
-from quintrig.classify import HK_TYPES
-from quintrig.increments import terms
-from quintrig.integrate import integrals
-from quintrig.layers import find_layers
-from quintrig.sample import SINGULAR
+from quintrig.analysis.edge_layers import find_layers
+from quintrig.analysis.integrate import integrals
+from quintrig.analysis.sample import SINGULAR
+from quintrig.basis.increments import terms
+from quintrig.quantities.classify import HK_TYPES
 from quintrig.sweep.affine import amounts_above, is_affine, single_part, with_parameters
 from quintrig.sweep.nodes import WIDEST, drawn_nodes, layer_classes
 from quintrig.sweep.part import Task, columns, summaries

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from cli_runner import quintrig
-from quintrig.classify import Thresholds
-from quintrig.extremes import find_extremes
-from quintrig.model import load
-from quintrig.summary import summarise
+from quintrig.analysis.extremes import find_extremes
+from quintrig.analysis.summary import summarise
+from quintrig.model.model import load
+from quintrig.quantities.classify import Thresholds
 from quintrig.sweep import Axis, DesignSpace, Question, Task, count, load_sweep, open_sweep, run, select, select_refined
 from quintrig.sweep.affine import with_parameters
 

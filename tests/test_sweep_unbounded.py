@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 import quintrig
-from quintrig.envelope import inner_regression
-from quintrig.extremes import find_extremes
-from quintrig.integrate import integrals
+from quintrig.analysis.extremes import find_extremes
+from quintrig.analysis.integrate import integrals
+from quintrig.geometry.envelope import inner_regression
 from quintrig.sweep.affine import with_parameters
 from quintrig.sweep.part import Task, columns, summaries
 from quintrig.sweep.space import Axis, DesignSpace

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from quintrig.arrays import FloatArray
+from quintrig.support.arrays import FloatArray
 
 _STEPS = 64.0
 """Units in the last place that two evaluations of a point may differ by; they differ by about ten in practice."""

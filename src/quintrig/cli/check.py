@@ -8,14 +8,14 @@ import typer
 
 from quintrig.cli import session
 from quintrig.cli.ending import FOUND, MISTAKE, printable
-from quintrig.errors import ModelError
+from quintrig.support.errors import ModelError
 
 if TYPE_CHECKING:
     from rich.console import Console
 
-    from quintrig.extremes import Extreme
-    from quintrig.model import Model, Patch
-    from quintrig.summary import Summary
+    from quintrig.analysis.extremes import Extreme
+    from quintrig.analysis.summary import Summary
+    from quintrig.model.model import Model, Patch
 
 _EPILOG = session.examples(
     ("quintrig check lid.toml", "tells kind, size, shape parameters, normal, curvature and warnings"),
@@ -68,7 +68,7 @@ def _tell(path: Path, model: "Model", console: "Console") -> int:
 def _tell_patch(patch: "Patch", model: "Model", console: "Console") -> int:
     from rich.markup import escape
 
-    from quintrig.summary import summarise
+    from quintrig.analysis.summary import summarise
 
     summary = summarise(patch.surface, model.unit)
     if len(model.patches) > 1:
@@ -86,7 +86,7 @@ def _tell_patch(patch: "Patch", model: "Model", console: "Console") -> int:
 
 def _facts(patch: "Patch", unit: str, summary: "Summary") -> list[tuple[str, str]]:
     """Return the lines that describe a patch: what, and its value in words."""
-    from quintrig.typeset import shown
+    from quintrig.exchange.tables import shown
 
     box = " × ".join(shown(float(extent), 4) for extent in summary.box[1] - summary.box[0])
     area = _quantity(summary.integrals.area.value, f"{unit}²" if unit else "")
@@ -113,7 +113,7 @@ def _classical(patch: "Patch") -> bool:
 
 
 def _normal(patch: "Patch", summary: "Summary") -> str:
-    from quintrig.sample import analyse
+    from quintrig.analysis.sample import analyse
 
     middle = analyse(patch.surface, 0.5, 0.5, ("normal",)).normal
     along = summary.orientation.removeprefix("the normal points ")
@@ -122,8 +122,8 @@ def _normal(patch: "Patch", summary: "Summary") -> str:
 
 
 def _range(key: str, unit: str, summary: "Summary") -> str:
-    from quintrig.quantity import quantity
-    from quintrig.typeset import shown
+    from quintrig.exchange.tables import shown
+    from quintrig.quantities.table import quantity
 
     row, found = quantity(key), summary.extremes[key]
     if found.minimum.status == "undefined":
@@ -142,6 +142,6 @@ def _end(extreme: "Extreme", limit: float, rounding: float) -> float:
 
 
 def _quantity(value: float | str, unit: str) -> str:
-    from quintrig.typeset import shown
+    from quintrig.exchange.tables import shown
 
     return f"{value if isinstance(value, str) else shown(value, 4)} {unit}".rstrip()

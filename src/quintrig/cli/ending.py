@@ -10,7 +10,7 @@ from types import FrameType
 
 import typer
 
-from quintrig.errors import ModelError, QuintrigError, printable
+from quintrig.support.errors import ModelError, QuintrigError, printable
 
 FOUND, MISTAKE, FAULT, INTERRUPTED = 1, 2, 70, 130
 """Exit codes: a check found problems, the user's mistake, a fault of quintrig, Ctrl-C."""

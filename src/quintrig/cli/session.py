@@ -10,24 +10,24 @@ from typing import TYPE_CHECKING
 import typer
 
 from quintrig.cli.ending import MISTAKE, say
-from quintrig.errors import printable
+from quintrig.support.errors import printable
 
 if TYPE_CHECKING:
     from rich.console import Console
 
     from quintrig.exchange.export import Written
-    from quintrig.model import Model, Patch
+    from quintrig.model.model import Model, Patch
 
 
 def load(path: Path, face: int | None = None) -> "Model":
     """Read a model file, or a CAD file, all its faces or one; ModelError or QuintrigError in one line."""
     if face is not None or path.suffix.lower() not in (".toml", ".json"):
-        from quintrig.exchange import isolated
+        from quintrig.exchange.cad import isolated
         from quintrig.exchange.imports import open_model
 
         if face is not None or path.suffix.lower() in isolated.SUFFIXES:
             return open_model(path, None if face is None else [face])
-    from quintrig import model
+    from quintrig.model import model
 
     return model.load(path)
 
@@ -131,7 +131,7 @@ def deliver(text: str, file: Path | None, *sources: Path | None, force: bool | N
     if file is None or str(file) == "-":
         emit(text)
         return
-    from quintrig.files import refuse_loss, write_whole
+    from quintrig.support.files import refuse_loss, write_whole
 
     refuse_loss(file, *sources, force=force)
     replaced = file.is_file()
@@ -140,7 +140,7 @@ def deliver(text: str, file: Path | None, *sources: Path | None, force: bool | N
 
 def numbers(text: str, count: int | None, name: str) -> tuple[float, ...]:
     """Read numbers separated by commas; ValueError naming the option, what was expected and what was found."""
-    from quintrig.numerals import real
+    from quintrig.support.numerals import real
 
     words = text.split(",")
     expected = f"{count} numbers" if count else "numbers"

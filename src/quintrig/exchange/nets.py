@@ -7,18 +7,18 @@ from typing import Any, cast
 
 import numpy as np
 
-from quintrig.arrays import FloatArray, frozen
-from quintrig.basis import Trigonometric
-from quintrig.bspline import normalised
-from quintrig.definition import KINDS
-from quintrig.errors import ModelError, QuintrigError, nearest, printable
-from quintrig.exchange.faces import SpaceCurve
+from quintrig.basis.bspline import normalised
+from quintrig.basis.rational import RIGHT_ANGLE
+from quintrig.basis.trigonometric import Trigonometric
+from quintrig.exchange.cad.faces import SpaceCurve
 from quintrig.exchange.formats import suffixes
-from quintrig.exchange.toml import to_toml
-from quintrig.files import write_whole
-from quintrig.model import Model, in_rows, read_net, read_text
-from quintrig.parsing import parse
-from quintrig.rational import RIGHT_ANGLE
+from quintrig.model.definition import KINDS
+from quintrig.model.model import Model, in_rows, read_net, read_text
+from quintrig.model.toml import to_toml
+from quintrig.support.arrays import FloatArray, frozen
+from quintrig.support.errors import ModelError, QuintrigError, nearest, printable
+from quintrig.support.files import write_whole
+from quintrig.support.parsing import parse
 
 SUFFIXES = suffixes("net", "model")
 """Endings of the files that hold control nets: numbers alone, or whole models."""

@@ -8,12 +8,12 @@ import numpy as np
 from contourpy import LineType, contour_generator
 from numpy.typing import NDArray
 
-from quintrig.arrays import FloatArray
-from quintrig.classify import Thresholds
+from quintrig.analysis.sample import Sample, analyse
 from quintrig.figure.palette import NOISE, Limits, class_colours, limits, real_colours
-from quintrig.quantity import Quantity, quantity
-from quintrig.sample import Sample, analyse
-from quintrig.surface import Surface
+from quintrig.geometry.surface import Surface
+from quintrig.quantities.classify import Thresholds
+from quintrig.quantities.table import Quantity, quantity
+from quintrig.support.arrays import FloatArray
 
 
 @dataclass(frozen=True, eq=False)

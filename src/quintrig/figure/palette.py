@@ -11,8 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.colors import Colormap, LinearSegmentedColormap, to_rgb
 
-from quintrig.arrays import FloatArray
-from quintrig.quantity import Quantity
+from quintrig.quantities.table import Quantity
+from quintrig.support.arrays import FloatArray
 
 UNDEFINED = "#7d7d7d"
 """Grey of NaN, infinity and class code 0; nothing else is drawn in it."""

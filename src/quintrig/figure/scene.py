@@ -5,10 +5,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from quintrig.arrays import BoolArray, FloatArray
 from quintrig.figure.camera import ISO, View
 from quintrig.figure.palette import INK
-from quintrig.surface import Surface
+from quintrig.geometry.surface import Surface
+from quintrig.support.arrays import BoolArray, FloatArray
 
 _NOISE = 1e-12
 

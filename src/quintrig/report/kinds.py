@@ -7,8 +7,8 @@ from typing import Any, cast
 
 from markupsafe import Markup
 
-from quintrig.definition import Bezier
-from quintrig.model import Patch
+from quintrig.model.definition import Bezier
+from quintrig.model.model import Patch
 from quintrig.report.mathml import mathml
 from quintrig.report.wording import number
 

@@ -10,12 +10,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from quintrig.arrays import FloatArray
-from quintrig.definition import Bezier, Swung
-from quintrig.evaluate import row_derivatives
-from quintrig.increments import increments
-from quintrig.model import Patch
-from quintrig.surface import Surface
+from quintrig.basis.increments import increments
+from quintrig.geometry.surface import Surface
+from quintrig.kernel.evaluate import row_derivatives
+from quintrig.model.definition import Bezier, Swung
+from quintrig.model.model import Patch
+from quintrig.support.arrays import FloatArray
 from quintrig.sweep.space import SHAPE_NAMES, DesignSpace, parameters
 
 _BASE = -4.0

@@ -5,12 +5,12 @@ from typing import Any
 
 import numpy as np
 
-from quintrig.arrays import FloatArray
-from quintrig.classify import Thresholds
-from quintrig.errors import ModelError
-from quintrig.layers import find_layers
-from quintrig.model import Model, Patch
-from quintrig.quantity import BY_KEY
+from quintrig.analysis.edge_layers import find_layers
+from quintrig.model.model import Model, Patch
+from quintrig.quantities.classify import Thresholds
+from quintrig.quantities.table import BY_KEY
+from quintrig.support.arrays import FloatArray
+from quintrig.support.errors import ModelError
 from quintrig.sweep.affine import amounts_above, is_affine, weights, with_parameters
 from quintrig.sweep.measure import affine_measure, single_measure
 from quintrig.sweep.nodes import WIDEST

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from quintrig.arrays import FloatArray
-from quintrig.errors import ModelError
-from quintrig.extremes import find_ends
+from quintrig.analysis.extremes import find_ends
+from quintrig.support.arrays import FloatArray
+from quintrig.support.errors import ModelError
 from quintrig.sweep.affine import with_parameters
 from quintrig.sweep.part import columns
 from quintrig.sweep.query import Question, select

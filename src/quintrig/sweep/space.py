@@ -6,12 +6,12 @@ from typing import Any, Literal, cast
 
 import numpy as np
 
-from quintrig.arrays import FloatArray, number
-from quintrig.basis import SHAPE_RANGE
-from quintrig.definition import Developable, Swung
-from quintrig.errors import nearest
-from quintrig.model import Patch
-from quintrig.numerals import real, whole
+from quintrig.basis.trigonometric import SHAPE_RANGE
+from quintrig.model.definition import Developable, Swung
+from quintrig.model.model import Patch
+from quintrig.support.arrays import FloatArray, number
+from quintrig.support.errors import nearest
+from quintrig.support.numerals import real, whole
 
 Sampling = Literal["grid", "latin", "sobol"]
 SHAPE_NAMES = ("alpha1", "zeta1", "alpha2", "zeta2")
