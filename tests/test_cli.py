@@ -456,7 +456,8 @@ def test_a_reader_that_stops_early_is_no_error():
 
 
 def test_ctrl_c_ends_with_130():
-    script = "import os, signal, quintrig.model\nquintrig.model.load = lambda _: os.kill(os.getpid(), signal.SIGINT)\n"
+    script = "import os, signal\nfrom quintrig.model import model\n"
+    script += "model.load = lambda _: os.kill(os.getpid(), signal.SIGINT)\n"
     script += "from quintrig.cli import main\nimport sys\nsys.argv = ['quintrig', 'check', 'x.toml']\nmain()\n"
     result = python("-c", script)
     assert (result.returncode, result.stderr) == (130, "quintrig: interrupted\n")

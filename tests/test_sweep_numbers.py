@@ -10,9 +10,9 @@ import oracle
 import quintrig
 from quintrig.analysis.edge_layers import find_layers
 from quintrig.analysis.integrate import integrals
-from quintrig.analysis.sample import SINGULAR
 from quintrig.basis.increments import terms
 from quintrig.quantities.classify import HK_TYPES
+from quintrig.support.tolerance import SINGULAR
 from quintrig.sweep.affine import amounts_above, is_affine, single_part, with_parameters
 from quintrig.sweep.nodes import WIDEST, drawn_nodes, layer_classes
 from quintrig.sweep.part import Task, columns, summaries

@@ -6,13 +6,14 @@ Names are loaded on first use, so that ``import quintrig`` costs next to nothing
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from quintrig.support import display
+
 if TYPE_CHECKING:
     from quintrig.analysis.agreement import compare_methods as compare_methods
     from quintrig.analysis.extremes import find_extremes as find_extremes
     from quintrig.analysis.integrate import integrals as integrals
     from quintrig.analysis.sample import Sample as Sample
     from quintrig.analysis.sample import analyse as analyse
-    from quintrig.analysis.sample import grid as grid
     from quintrig.analysis.stream import analyse_blocks as analyse_blocks
     from quintrig.analysis.summary import summarise as summarise
     from quintrig.enclosures.convex_hull import check_curve_hull as check_curve_hull
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
     from quintrig.geometry.constructions import symmetric as symmetric
     from quintrig.geometry.constructions import tensor as tensor
     from quintrig.geometry.curve import Curve as Curve
+    from quintrig.geometry.domain import grid as grid
     from quintrig.geometry.envelope import developable as developable
     from quintrig.geometry.envelope import regression as regression
     from quintrig.geometry.surface import Surface as Surface
@@ -68,9 +70,11 @@ _HOME = {
         "sphere",
         "torus",
     ),
-    "analysis.sample": ("Sample", "analyse", "grid"),
+    "analysis.sample": ("Sample", "analyse"),
+    "geometry.domain": ("grid",),
     "geometry.surface": ("Surface",),
 }
+display.register(lambda value: import_module("quintrig.studio.notebook").bundle(value))
 _WHERE = {name: module for module, names in _HOME.items() for name in names}
 
 

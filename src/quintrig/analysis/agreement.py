@@ -25,7 +25,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quintrig.analysis.integrate import area_weights, orientation
-from quintrig.analysis.sample import analyse, grid
+from quintrig.analysis.sample import analyse
+from quintrig.geometry.domain import grid
 from quintrig.geometry.surface import Surface
 from quintrig.quantities.classify import HK_TYPES, INVARIANT_TYPES, SHAPE_CLASSES, Thresholds
 from quintrig.quantities.correspondence import (
@@ -38,9 +39,9 @@ from quintrig.quantities.correspondence import (
     NEIGHBOURING,
     UNDEFINED,
 )
-from quintrig.quantities.invariants import VERTICAL
 from quintrig.quantities.table import mirrored
 from quintrig.support.arrays import BoolArray, FloatArray, IntArray
+from quintrig.support.tolerance import VERTICAL
 
 Counts = NDArray[np.int64]
 

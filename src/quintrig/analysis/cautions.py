@@ -6,14 +6,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from quintrig.analysis.extremes import Extremes
-from quintrig.analysis.sample import SINGULAR, Sample
+from quintrig.analysis.sample import Sample
 from quintrig.basis.functions import Functions, Joined
 from quintrig.basis.trigonometric import SHAPE_RANGE, Trigonometric
 from quintrig.geometry.envelope import inner_regression
 from quintrig.geometry.surface import Net, Surface
-from quintrig.quantities.invariants import VERTICAL
 from quintrig.quantities.table import quantity
 from quintrig.support.arrays import BoolArray, FloatArray
+from quintrig.support.tolerance import SINGULAR, VERTICAL
 
 EDGES = ("u = 0", "u = 1", "v = 0", "v = 1")
 CORNERS = ("(0, 0)", "(0, 1)", "(1, 0)", "(1, 1)")

@@ -7,9 +7,9 @@ beside its apex and a corner of a ruled surface do the same.
 
 import numpy as np
 
-from quintrig.analysis.sample import SINGULAR
 from quintrig.geometry.surface import Surface
 from quintrig.support.arrays import FloatArray
+from quintrig.support.tolerance import SINGULAR
 
 Layers = tuple[float, float, float, float]
 """Widths at u = 0, u = 1, v = 0 and v = 1, in the parameter."""

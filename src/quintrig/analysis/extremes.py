@@ -16,8 +16,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quintrig.analysis.integrate import Integral, area_means, orientation
-from quintrig.analysis.sample import analyse, grid
+from quintrig.analysis.sample import analyse
 from quintrig.analysis.singular_edges import Limit, limits
+from quintrig.geometry.domain import grid
 from quintrig.geometry.surface import Surface
 from quintrig.quantities.table import quantity
 from quintrig.support.arrays import BoolArray, FloatArray

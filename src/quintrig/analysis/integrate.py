@@ -28,11 +28,12 @@ from quintrig.analysis.quadrature import (
 )
 from quintrig.analysis.sample import SINGULAR, Sample, analyse, grid
 from quintrig.analysis.singular_edges import CURVATURES, limits
+from quintrig.geometry.domain import grid
 from quintrig.geometry.envelope import inner_regression
 from quintrig.geometry.surface import Surface
 from quintrig.quantities.table import BY_KEY, Quantity, quantity
 from quintrig.support.arrays import FloatArray
-from quintrig.support.tolerance import NOISE
+from quintrig.support.tolerance import NOISE, SINGULAR
 
 INTEGRALS: tuple[Quantity, ...] = (
     Quantity("area", "A", "A", "area", "∫dA", "do Carmo 1976, §2.5", 2, "even", "sequential"),

@@ -14,13 +14,9 @@ from quintrig.kernel import evaluate
 from quintrig.kernel.outputs import Settings
 from quintrig.quantities.classify import Thresholds
 from quintrig.quantities.table import BY_KEY, quantity
-from quintrig.support.arrays import BoolArray, FloatArray, aligned, parameter, whole
+from quintrig.support.arrays import BoolArray, FloatArray, aligned, parameter
 from quintrig.support.pickled import Pickled
-from quintrig.support.tolerance import NOISE
-
-SINGULAR = 4096 * np.finfo(np.float64).eps
-"""A point is singular where |S_u x S_v| <= SINGULAR size²: three digits above rounding, so that the normal has some
-left."""
+from quintrig.support.tolerance import NOISE, SINGULAR
 
 _USUAL = Thresholds()
 
@@ -69,14 +65,6 @@ class Sample(Pickled):
             if key in self.values:
                 return np.isnan(self.values[key])
         return np.isnan(analyse(self.surface, self.u, self.v, ("mean",))["mean"])
-
-
-def grid(nu: int, nv: int) -> tuple[FloatArray, FloatArray]:
-    """Return the open mesh of nu x nv parameters over the domain, shapes (nu, 1) and (1, nv), edges included."""
-    return (
-        np.linspace(0.0, 1.0, whole(nu, "nu", 2))[:, None],
-        np.linspace(0.0, 1.0, whole(nv, "nv", 2))[None, :],
-    )
 
 
 def analyse(

@@ -11,10 +11,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from quintrig.analysis.sample import SINGULAR, analyse, grid
+from quintrig.analysis.sample import analyse
+from quintrig.geometry.domain import grid
 from quintrig.geometry.surface import Surface
 from quintrig.quantities.table import quantity
 from quintrig.support.arrays import BoolArray, FloatArray
+from quintrig.support.tolerance import SINGULAR
 
 NEAR, NEARER = 14, 18
 """Octaves: the rings are lines at these powers of 1/2 from the edges."""

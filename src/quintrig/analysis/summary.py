@@ -9,7 +9,8 @@ import numpy as np
 from quintrig.analysis.cautions import Singular, find_cautions, find_notes, find_singular
 from quintrig.analysis.extremes import Extremes, find_extremes
 from quintrig.analysis.integrate import Integrals, area_weights, integrals, orientation
-from quintrig.analysis.sample import Sample, analyse, grid
+from quintrig.analysis.sample import Sample, analyse
+from quintrig.geometry.domain import grid
 from quintrig.geometry.surface import Surface
 from quintrig.quantities.classify import Thresholds
 from quintrig.quantities.table import quantity

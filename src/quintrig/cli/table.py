@@ -114,7 +114,7 @@ def _points(at: Sequence[str] | None, grid: str | None, file: Path | None) -> "t
         return pairs[:, 0], pairs[:, 1]
     if file is not None:
         return _from_file(file)
-    from quintrig.analysis.sample import grid as mesh
+    from quintrig.geometry.domain import grid as mesh
 
     return mesh(*session.counts(grid or "5x5", "--grid", _MOST, "quintrig grid writes any number"))
 

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from quintrig.geometry.surface import Surface
-from quintrig.rounding import rounding
 from quintrig.support.arrays import BoolArray, FloatArray
+from quintrig.support.tolerance import rounding
 
 _STRAIGHT = 1e-10
 """Points of a ruling may be this far off its line, relative to the surface's size and beside rounding."""

@@ -14,8 +14,8 @@ import numpy as np
 
 from quintrig.developables.rulings import Rulings, rulings
 from quintrig.geometry.surface import Surface
-from quintrig.rounding import rounding
 from quintrig.support.arrays import BoolArray, FloatArray
+from quintrig.support.tolerance import rounding
 
 ALLOWED = 1e-9
 """Largest relative change of a length or of the area, beside rounding, that still counts as none."""

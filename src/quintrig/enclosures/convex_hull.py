@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.optimize import nnls  # pyright: ignore[reportUnknownVariableType]
 
-from quintrig.analysis.sample import grid
 from quintrig.geometry.curve import Curve
+from quintrig.geometry.domain import grid
 from quintrig.geometry.surface import Surface
 from quintrig.support.arrays import FloatArray, frozen
 

@@ -9,11 +9,12 @@ from contourpy import LineType, contour_generator
 from numpy.typing import NDArray
 
 from quintrig.analysis.sample import Sample, analyse
-from quintrig.figure.palette import NOISE, Limits, class_colours, limits, real_colours
+from quintrig.figure.palette import Limits, class_colours, limits, real_colours
 from quintrig.geometry.surface import Surface
 from quintrig.quantities.classify import Thresholds
 from quintrig.quantities.table import Quantity, quantity
 from quintrig.support.arrays import FloatArray
+from quintrig.support.tolerance import SAME_COLOUR
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,7 +54,7 @@ def field(surface: Surface, key: str, u: FloatArray, v: FloatArray, thresholds: 
     noise = np.full(sample.shape, scale)
     if q.power < 0:  # rounding grows with the curvature, as near an edge of regression
         noise = np.fmax(noise, sample["curvedness"] ** -q.power)
-    return Field(q, u, v, sample[key], scale, NOISE * noise)
+    return Field(q, u, v, sample[key], scale, SAME_COLOUR * noise)
 
 
 def facet_fields(

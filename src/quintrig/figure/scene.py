@@ -9,8 +9,7 @@ from quintrig.figure.camera import ISO, View
 from quintrig.figure.palette import INK
 from quintrig.geometry.surface import Surface
 from quintrig.support.arrays import BoolArray, FloatArray
-
-_NOISE = 1e-12
+from quintrig.support.tolerance import NOISE
 
 Box = tuple[FloatArray, FloatArray]
 """Lower and upper corner (3,) of what is framed, length¹."""
@@ -82,7 +81,7 @@ def bounds(surfaces: Sequence[Surface], scene: Scene) -> Box:
 def settled(low: FloatArray, high: FloatArray) -> Box:
     """Return the box, or one corner (3,) twice where it is a single point, to rounding."""
     largest = max(float(np.abs(low).max()), float(np.abs(high).max()))
-    return (low, low.copy()) if np.linalg.norm(high - low) <= _NOISE * largest else (low, high)
+    return (low, low.copy()) if np.linalg.norm(high - low) <= NOISE * largest else (low, high)
 
 
 def single_point(surface: Surface) -> FloatArray | None:
@@ -110,6 +109,6 @@ def _robust(points: FloatArray) -> FloatArray:
 def inside(points: FloatArray, box: Box) -> BoolArray:
     """Return which points (..., 3) lie in the box, to a small tolerance."""
     # The box comes from fewer points.
-    slack = 0.02 * float(np.linalg.norm(box[1] - box[0])) + _NOISE * float(np.abs(box).max())
+    slack = 0.02 * float(np.linalg.norm(box[1] - box[0])) + NOISE * float(np.abs(box).max())
     fits: BoolArray = np.all((points >= box[0] - slack) & (points <= box[1] + slack), axis=-1)
     return fits

@@ -3,7 +3,6 @@
 import math
 from dataclasses import dataclass, field
 from functools import cached_property
-from importlib import import_module
 from typing import Any, Protocol
 
 import numpy as np
@@ -12,6 +11,7 @@ from numpy.typing import ArrayLike
 from quintrig.basis.functions import Functions
 from quintrig.basis.increments import increments, split
 from quintrig.support.arrays import BoolArray, FloatArray, locked, parameter, whole
+from quintrig.support.display import mime_bundle
 from quintrig.support.pickled import Pickled
 
 
@@ -165,7 +165,7 @@ class Surface(Pickled):
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> Any:
         """Return the interactive view that a notebook shows; only the text where the extra ``jupyter`` is missing."""
-        return import_module("quintrig.studio.notebook").bundle(self)
+        return mime_bundle(self)
 
     def breaks(self, axis: int) -> FloatArray:
         """Return the parameters from 0 to 1 in u (``axis`` 0) or v (1) between two of which the surface is smooth."""

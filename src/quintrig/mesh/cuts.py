@@ -7,8 +7,8 @@ import numpy as np
 
 from quintrig.geometry.surface import Surface
 from quintrig.multipatch.edges import Link
-from quintrig.rounding import rounding
 from quintrig.support.arrays import BoolArray, FloatArray
+from quintrig.support.tolerance import rounding
 
 _ROUNDS = 40
 _INSIDE = ((1 / 3, 1 / 3), (0.5, 0.5), (0.5, 0.0), (0.0, 0.5), (0.2, 0.2), (0.6, 0.2), (0.2, 0.6))

@@ -17,8 +17,8 @@ from quintrig.geometry.surface import Surface
 from quintrig.mesh.cuts import Cut, cut_by_tolerance, gap
 from quintrig.multipatch.edges import Link, links
 from quintrig.quantities.table import BY_KEY
-from quintrig.rounding import rounding
 from quintrig.support.arrays import FloatArray
+from quintrig.support.tolerance import rounding
 
 MOST_POINTS = 4_000_000
 """Points of the largest mesh."""

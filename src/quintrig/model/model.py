@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from importlib import import_module
 from pathlib import Path
 from typing import Any, cast
 
@@ -12,6 +11,7 @@ from quintrig.geometry.surface import Surface
 from quintrig.model.definition import KINDS, Bezier, Definition
 from quintrig.model.explain import HEADER, explain, spell
 from quintrig.support.csv_rows import rows_of
+from quintrig.support.display import mime_bundle
 from quintrig.support.errors import ModelError, nearest
 from quintrig.support.files import open_regular
 from quintrig.support.parsing import LARGEST_FILE, parse
@@ -96,7 +96,7 @@ class Model:
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> Any:
         """Return the interactive view that a notebook shows; only the text where the extra ``jupyter`` is missing."""
-        return import_module("quintrig.studio.notebook").bundle(self)
+        return mime_bundle(self)
 
     def with_shape(self, shape: Sequence[float]) -> "Model":
         """Return the model with every patch's shape parameters replaced."""

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from quintrig.geometry.surface import Surface
-from quintrig.rounding import rounding
 from quintrig.support.arrays import FloatArray
+from quintrig.support.tolerance import rounding
 
 _SAME = 1e-9
 """Edges this near, relative to the smaller patch's size and beside rounding, are one."""

@@ -9,9 +9,7 @@ invariant is one of the Γ, K or H times a power of n_z. None depends on the sid
 """
 
 from quintrig.support.compiled import scalar
-
-VERTICAL = 1e-9
-"""At or below this |n_z| the tangent plane counts as vertical: what is left of n_z after rounding means nothing."""
+from quintrig.support.tolerance import VERTICAL
 
 Six = tuple[float, float, float, float, float, float]
 

@@ -8,10 +8,10 @@ import numpy as np
 
 from quintrig.analysis.agreement import Agreement, compare_methods
 from quintrig.analysis.sample import analyse
-from quintrig.analysis.sample import grid as between
 from quintrig.analysis.summary import Summary, summarise
 from quintrig.analysis.table import Table, tabulate
 from quintrig.figure import Mark
+from quintrig.geometry.domain import grid as between
 from quintrig.model.model import Patch
 from quintrig.quantities.classify import Thresholds
 from quintrig.quantities.table import BY_KEY

@@ -65,9 +65,7 @@ def pictures(
 def page(found: Sequence[Variant], table: Table, drawn: Sequence[Picture]) -> str:
     """Return the page as HTML with its pictures inside: nothing beside it and no network is needed."""
     environment = Environment(autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
-    template = environment.from_string(
-        (files("quintrig.report.templates") / "shape_effect.html.j2").read_text(encoding="utf-8")
-    )
+    template = environment.from_string((files("quintrig.report.templates") / "shape_effect.html.j2").read_text("utf-8"))
     lines = [(one.symbol, one.unit, [shown(value) for value in one.rounded]) for one in table.columns[table.lead :]]
     names = "(α1, ζ1, α2, ζ2)" if len(found[0].shape) == 4 else "(α, ζ)"
     return template.render(

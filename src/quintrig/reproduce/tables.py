@@ -7,9 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from quintrig.analysis.sample import analyse, grid
+from quintrig.analysis.sample import analyse
 from quintrig.analysis.table import tabulate
 from quintrig.exchange.tables import shown, to_latex
+from quintrig.geometry.domain import grid
 from quintrig.geometry.surface import Surface
 from quintrig.quantities.signs import SIGN_TABLES
 from quintrig.quantities.table import BY_KEY

@@ -15,18 +15,17 @@ import numpy as np
 from matplotlib.colors import Colormap, to_hex
 
 from quintrig import __version__
-from quintrig.analysis.sample import SINGULAR
 from quintrig.basis.trigonometric import SHAPE_RANGE
 from quintrig.figure import palette
 from quintrig.model.definition import CONSTRUCTIONS, KINDS, Definition
 from quintrig.model.model import SCHEMA_VERSION, UNITS, load
 from quintrig.model.starter import starter
 from quintrig.quantities.classify import Thresholds
-from quintrig.quantities.invariants import VERTICAL
 from quintrig.quantities.signs import CLASSES, POINTS, TYPES, SignTable
 from quintrig.quantities.table import BY_KEY, QUANTITIES, Quantity
 from quintrig.studio.page import as_json
 from quintrig.support.files import write_whole
+from quintrig.support.tolerance import SINGULAR, VERTICAL
 
 SHAPE_SETS: dict[int, tuple[tuple[float, ...], ...]] = {
     4: ((1.0, 1.0, 1.0, 1.0), (1.0, 1.0, -3.0, -3.0), (1.0, -3.0, 1.0, -3.0), (1.0, 0.0, -2.0, -3.0)),

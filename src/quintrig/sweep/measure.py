@@ -5,12 +5,12 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from quintrig.analysis.sample import SINGULAR
 from quintrig.basis.increments import terms
 from quintrig.geometry.surface import Surface
 from quintrig.model.model import Patch
 from quintrig.quantities.classify import Thresholds
 from quintrig.support.arrays import FloatArray
+from quintrig.support.tolerance import SINGULAR
 from quintrig.sweep.affine import Parts, affine_blend, affine_rows, single_part, weights
 from quintrig.sweep.space import DesignSpace
 from quintrig.sweep.summarise import COLUMNS, summariser

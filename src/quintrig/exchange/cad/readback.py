@@ -5,13 +5,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from quintrig.analysis.sample import grid
 from quintrig.exchange.cad.faces import Contents
 from quintrig.exchange.cad.forms import Carrier
+from quintrig.geometry.domain import grid
 from quintrig.geometry.surface import Surface
 from quintrig.model.model import Model
-from quintrig.rounding import rounding
 from quintrig.support.arrays import FloatArray
+from quintrig.support.tolerance import rounding
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from quintrig.exchange.cad.forms import Carrier
 from quintrig.exchange.cad.occ import explored, module, to_occ
 from quintrig.exchange.origin import far
 from quintrig.geometry.exact import ExactSurface
-from quintrig.rounding import rounding
+from quintrig.support.tolerance import rounding
 
 _SMALLEST = 1e-7
 """OpenCASCADE's own confusion distance: edges shorter than this are points to it."""
