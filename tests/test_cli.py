@@ -14,7 +14,7 @@ import pytest
 import quintrig
 from cli_runner import quintrig as cli
 from quintrig import __version__
-from quintrig.model.definition import KINDS
+from quintrig.model.kinds.registry import OWN as KINDS
 from quintrig.model.schema import json_schema
 from quintrig.quantities.table import QUANTITIES
 from quintrig.shaping.shape_effect import standard_shapes

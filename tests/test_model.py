@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import quintrig
-from quintrig.model.definition import KINDS
+from quintrig.model.kinds.registry import OWN as KINDS
 from quintrig.model.model import UNITS, Model, load
 from quintrig.model.starter import starter
 from quintrig.support.errors import ModelError

@@ -8,7 +8,7 @@ from pathlib import Path
 import jsonschema
 import pytest
 
-from quintrig.model.definition import KINDS
+from quintrig.model.kinds.registry import OWN as KINDS
 from quintrig.model.model import Model, load
 from quintrig.model.schema import json_schema
 from quintrig.model.starter import starter

@@ -26,7 +26,7 @@ from quintrig.analysis.quadrature import (
     nodes_for,
     panel_sums,
 )
-from quintrig.analysis.sample import SINGULAR, Sample, analyse, grid
+from quintrig.analysis.sample import Sample, analyse
 from quintrig.analysis.singular_edges import CURVATURES, limits
 from quintrig.geometry.domain import grid
 from quintrig.geometry.envelope import inner_regression

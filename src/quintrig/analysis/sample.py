@@ -36,6 +36,13 @@ class Sample(Pickled):
     thresholds: Thresholds
     size: float
 
+    def __repr__(self) -> str:
+        """Return one line: how many points, and which quantities."""
+        points = " x ".join(map(str, self.shape)) or "one"
+        names = list(self.values)
+        more = f" and {len(names) - 6} more" if len(names) > 6 else ""
+        return f"<Sample at {points} points: {', '.join(names[:6])}{more}>"
+
     def __getitem__(self, key: str) -> NDArray[Any]:
         """Return the array of a quantity; KeyError where it was not asked for, ValueError where there is none."""
         quantity(key)

@@ -93,7 +93,7 @@ def _facts(patch: "Patch", unit: str, summary: "Summary") -> list[tuple[str, str
     facts = [("kind", _kind(patch)), ("size", f"{_quantity(box, unit)} along x, y, z; area {area}")]
     if not unit:
         facts.append(("unit", "none stated: plain numbers"))
-    if patch.shape and not _classical(patch):
+    if patch.shape and not patch.definition.classical:
         names = ("α1", "ζ1", "α2", "ζ2") if len(patch.shape) == 4 else ("α", "ζ")
         facts.append(("shape", ", ".join(f"{n} = {value:g}" for n, value in zip(names, patch.shape, strict=True))))
     facts.append(("normal", _normal(patch, summary)))
@@ -104,12 +104,9 @@ def _facts(patch: "Patch", unit: str, summary: "Summary") -> list[tuple[str, str
 def _kind(patch: "Patch") -> str:
     words = (type(patch.definition).__doc__ or "").splitlines()[0].rstrip(".")
     first = words if words.partition("'")[0].lower() == patch.kind else f"{words[0].lower()}{words[1:]}"  # Enneper's
-    text = first + (", classical Bernstein basis, on which shape parameters do not act" if _classical(patch) else "")
-    return text if text == patch.kind else f"{patch.kind}: {text}"
-
-
-def _classical(patch: "Patch") -> bool:
-    return getattr(patch.definition, "basis", "") == "bernstein"
+    if patch.definition.classical:
+        first += ", classical Bernstein basis, on which shape parameters do not act"
+    return first if first == patch.kind else f"{patch.kind}: {first}"
 
 
 def _normal(patch: "Patch", summary: "Summary") -> str:

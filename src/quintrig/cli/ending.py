@@ -70,6 +70,11 @@ def _run(build: Callable[[], typer.Typer], arguments: Sequence[str]) -> int:
     return result if isinstance(result, int) else 0
 
 
+def warn(message: Warning | str, category: type[Warning], *_: object) -> None:
+    """Say a warning in one line on stderr, whatever place in the code it comes from."""
+    sys.stderr.write(f"quintrig: warning: {printable(str(message))}\n")
+
+
 def _tell(error: Exception) -> int:
     """Say in one line what went wrong, and return the exit code."""
     usage = getattr(error, "format_message", None)

@@ -108,6 +108,13 @@ class Surface(Pickled):
         if self.rows.size != self.blend.size:
             raise ValueError(f"blend: expected {self.rows.size} functions, one for each row, found {self.blend.size}")
 
+    def __repr__(self) -> str:
+        """Return one line: rows, blend, and what is special about it."""
+        special = [word for word, so in (("rational", self.rational), ("flipped", self.flip)) if so]
+        special += [f"trimmed by {len(self.trim)} loops"] if self.trim else []
+        families = f"{_called(getattr(self.rows, 'functions', self.rows))} by {_called(self.blend)}"
+        return f"<Surface of {self.rows.size} rows: {', '.join([families, *special])}>"
+
     def __call__(self, u: ArrayLike, v: ArrayLike) -> FloatArray:
         """Return points, shape (*broadcast of u and v, 3), length¹; ValueError outside [0, 1]."""
         return self.partials(u, v, 0)[0, 0]
@@ -221,6 +228,11 @@ def _blended(rows: FloatArray, blend: FloatArray) -> FloatArray:
     if rows.ndim == 5 and blend.ndim == 4 and rows.shape[2] == blend.shape[1] == 1:
         return np.einsum("pimx,qjm->pqijx", rows[:, :, 0], blend[:, 0], optimize=True)  # a matrix product
     return np.einsum("p...mx,q...m->pq...x", rows, blend)
+
+
+def _called(functions: object) -> str:
+    parts = getattr(functions, "parts", (functions,))
+    return " + ".join(type(part).__name__ for part in parts)
 
 
 def _middle(values: FloatArray) -> FloatArray:

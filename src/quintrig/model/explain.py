@@ -6,7 +6,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from quintrig.model.definition import Definition
+from quintrig.model.kinds.definition import Definition
 from quintrig.support.arrays import LARGEST, SMALLEST
 from quintrig.support.errors import closest, nearest
 

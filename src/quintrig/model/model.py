@@ -8,8 +8,9 @@ from typing import Any, cast
 from pydantic import ValidationError
 
 from quintrig.geometry.surface import Surface
-from quintrig.model.definition import KINDS, Bezier, Definition
 from quintrig.model.explain import HEADER, explain, spell
+from quintrig.model.kinds.definition import Definition
+from quintrig.model.kinds.registry import kinds
 from quintrig.support.csv_rows import rows_of
 from quintrig.support.display import mime_bundle
 from quintrig.support.errors import ModelError, nearest
@@ -39,6 +40,11 @@ class Patch:
     definition: Definition
     surface: Surface
 
+    def __repr__(self) -> str:
+        """Return one line: name, kind and shape parameters."""
+        shape = f", shape {self.shape}" if self.shape else ""
+        return f"<Patch {self.name!r}: {self.kind}{shape}>"
+
     @property
     def kind(self) -> str:
         """The kind, such as ``swept``."""
@@ -55,11 +61,17 @@ class Patch:
             raise ModelError(f'patch "{self.name}": a {self.kind} has no shape parameters to vary')
         return self._with(shape=list(shape))
 
-    def with_scale(self, scale: float) -> "Patch":
-        """Return the same swung patch with another scale factor λ; ModelError for other kinds."""
-        if not hasattr(self.definition, "scale"):
-            raise ModelError(f'patch "{self.name}": a {self.kind} has no scale to vary')
-        return self._with(scale=scale)
+    def with_parameters(self, values: Mapping[str, float]) -> "Patch":
+        """Return the same patch with some of its parameters replaced, by name; ModelError where it has none such."""
+        known = self.definition.parameters
+        for name in values:
+            if name not in known:
+                has = f"it has {', '.join(known)}" if known else "it has none"
+                raise ModelError(f'patch "{self.name}": a {self.kind} has no parameter {name!r}; {has}')
+        names = self.definition.shape_names
+        shape = [values.get(name, known.get(name, 0.0)) for name in names]
+        sizes = {name: value for name, value in values.items() if name not in names}
+        return self._with(**sizes, **({"shape": shape} if set(values) & set(names) else {}))
 
     def _with(self, **changed: Any) -> "Patch":
         return _patch({**self.definition.model_dump(), **changed}, self.name, None)
@@ -72,6 +84,12 @@ class Model:
     name: str
     unit: str
     patches: tuple[Patch, ...]
+
+    def __repr__(self) -> str:
+        """Return one line: name, unit and patches."""
+        kinds = ", ".join(f"{patch.name!r} ({patch.kind})" for patch in self.patches[:4])
+        more = f" and {len(self.patches) - 4} more" if len(self.patches) > 4 else ""
+        return f"<Model {self.name!r} in {self.unit or 'plain numbers'}: {kinds}{more}>"
 
     @property
     def surface(self) -> Surface:
@@ -240,15 +258,15 @@ def _several(data: dict[str, Any], folder: Path | None) -> tuple[Patch, ...]:
 def _patch(keys: dict[str, Any], name: str, folder: Path | None) -> Patch:
     place = f'patch "{name}"'
     kind = keys.get("kind")
-    if not isinstance(kind, str) or kind not in KINDS:
+    if not isinstance(kind, str) or kind not in kinds():
         found = "no kind" if kind is None else spell(kind)
-        hint = nearest(kind, KINDS) if isinstance(kind, str) else ""
-        raise ModelError(f"{place}: kind: expected one of {', '.join(KINDS)}, got {found}{hint}")
-    form = KINDS[kind]
+        hint = nearest(kind, kinds()) if isinstance(kind, str) else ""
+        raise ModelError(f"{place}: kind: expected one of {', '.join(kinds())}, got {found}{hint}")
+    form = kinds()[kind]
     try:
         keys = _with_nets(keys, form, folder)
         definition = form.model_validate(keys)
-        if not isinstance(definition, Bezier) or definition.basis == "trigonometric":
+        if not definition.classical:
             for key, counts in form.counts.items():
                 _check_counts(getattr(definition, key), counts, key)
         surface = definition.surface()

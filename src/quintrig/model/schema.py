@@ -2,7 +2,8 @@
 
 from typing import Any
 
-from quintrig.model.definition import KINDS
+from quintrig.model.kinds.definition import Definition
+from quintrig.model.kinds.registry import kinds
 from quintrig.model.model import SCHEMA_VERSION, UNITS
 
 
@@ -13,12 +14,12 @@ def json_schema() -> dict[str, Any]:
         "name": {"type": "string", "maxLength": 200, "description": "Name of the model"},
         "unit": {"enum": list(UNITS), "description": "Unit of length; leave it out for plain numbers"},
     }
-    forms = {kind: _form(kind) for kind in KINDS}
-    alone = [form | {"properties": header | form["properties"]} for form in forms.values()]
+    forms = [_form(form) for form in kinds().values()]
+    alone = [form | {"properties": header | form["properties"]} for form in forms]
     several = {
         "title": "Several patches",
         "type": "object",
-        "properties": header | {"patch": {"type": "array", "minItems": 1, "items": {"oneOf": list(forms.values())}}},
+        "properties": header | {"patch": {"type": "array", "minItems": 1, "items": {"oneOf": forms}}},
         "required": ["patch"],
         "additionalProperties": False,
     }
@@ -30,10 +31,10 @@ def json_schema() -> dict[str, Any]:
     }
 
 
-def _form(kind: str) -> dict[str, Any]:
-    form = KINDS[kind].model_json_schema()
+def _form(definition: type[Definition]) -> dict[str, Any]:
+    form = definition.model_json_schema()
     form["required"] = ["kind", *[key for key in form.get("required", []) if key != "kind"]]
-    for key in KINDS[kind].nets:
+    for key in definition.nets:
         numbers = form["properties"][key]
         description = numbers.pop("description", "")
         file = {"type": "string", "pattern": r"\.[cC][sS][vV]$"}

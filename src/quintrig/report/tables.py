@@ -15,7 +15,7 @@ from quintrig.figure.palette import CLASS_COLOURS
 from quintrig.quantities.correspondence import LEVELS, UNDEFINED
 from quintrig.quantities.table import BY_KEY, CLASSES, QUANTITIES
 from quintrig.report.facts import Facts, rounding
-from quintrig.report.kinds import Net, kind_of
+from quintrig.report.kinds import Net
 from quintrig.report.mathml import mathml
 from quintrig.report.wording import aligned, measure, number, pair, percent, prose, ten
 from quintrig.shaping.shape_effect import AS_GIVEN, Variant, intensities
@@ -280,7 +280,7 @@ def patches_table(every: Sequence[Facts]) -> Grid:
         rows.append(
             (
                 escape(one.patch.name),
-                escape(kind_of(one.patch).title),
+                escape(one.patch.definition.title),
                 measure(summary.integrals.area.value, f"{one.unit}²" if one.unit else ""),
                 _extreme(gaussian.minimum, unit, "−", floor),
                 _extreme(gaussian.maximum, unit, "", floor),

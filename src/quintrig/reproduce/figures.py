@@ -25,7 +25,7 @@ from quintrig.figure import (
 from quintrig.figure.palette import SERIES
 from quintrig.geometry.curve import Curve
 from quintrig.geometry.surface import Surface
-from quintrig.model.definition import Ruled, Swept, Swung
+from quintrig.model.kinds.constructions import Ruled, Swept, Swung
 from quintrig.model.model import Patch
 from quintrig.reproduce.inventory import Item, labelled_points, model
 
@@ -131,7 +131,7 @@ def _projections(item: Item) -> list[Figure]:
 
 
 def _scales(item: Item) -> list[Figure]:
-    surfaces = [_patch(item).with_scale(scale).surface for scale in item.scales]
+    surfaces = [_patch(item).with_parameters({"scale": scale}).surface for scale in item.scales]
     return [comparison(surfaces, item.parts, None, _PLAIN, unit=model(item.models[0]).unit)]
 
 

@@ -9,7 +9,6 @@ from quintrig.analysis.integrate import INTEGRALS
 from quintrig.analysis.quadrature import Integral
 from quintrig.analysis.summary import Summary, summarise
 from quintrig.analysis.table import Column, Table
-from quintrig.model.definition import Bezier
 from quintrig.model.model import Patch
 from quintrig.quantities.table import BY_KEY
 from quintrig.support.errors import ModelError
@@ -128,7 +127,7 @@ def _notes(found: Sequence[Variant]) -> tuple[str, ...]:
 
 def _check(patch: Patch) -> None:
     """Refuse a patch on which shape parameters do not act."""
-    if isinstance(patch.definition, Bezier) and patch.definition.basis == "bernstein":
+    if patch.definition.classical:
         raise ModelError(
             f'patch "{patch.name}": basis: expected "trigonometric", got "bernstein", which has no shape parameters'
         )

@@ -17,7 +17,8 @@ from matplotlib.colors import Colormap, to_hex
 from quintrig import __version__
 from quintrig.basis.trigonometric import SHAPE_RANGE
 from quintrig.figure import palette
-from quintrig.model.definition import CONSTRUCTIONS, KINDS, Definition
+from quintrig.model.kinds.definition import Definition
+from quintrig.model.kinds.registry import CONSTRUCTIONS, OWN
 from quintrig.model.model import SCHEMA_VERSION, UNITS, load
 from quintrig.model.starter import starter
 from quintrig.quantities.classify import Thresholds
@@ -51,7 +52,7 @@ def table() -> dict[str, Any]:
         "quantities": [_quantity(q) for q in QUANTITIES],
         "limits": {**asdict(Thresholds()), "vertical": VERTICAL, "singular": SINGULAR},
         "words": {key: _words(BY_KEY[key], signs) for key, signs in WORDS.items()},
-        "kinds": {name: _kind(form) for name, form in KINDS.items()},
+        "kinds": {name: _kind(form) for name, form in OWN.items()},
         "palette": {
             "undefined": palette.UNDEFINED,
             "front": palette.FRONT,
@@ -62,7 +63,7 @@ def table() -> dict[str, Any]:
             "sequential": _stops(palette.SEQUENTIAL),
         },
         "presets": _presets(),
-        "starters": {kind: tomllib.loads(starter(kind)) for kind in KINDS},
+        "starters": {kind: tomllib.loads(starter(kind)) for kind in OWN},
     }
 
 

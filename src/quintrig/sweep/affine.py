@@ -13,10 +13,9 @@ import numpy as np
 from quintrig.basis.increments import increments
 from quintrig.geometry.surface import Surface
 from quintrig.kernel.evaluate import row_derivatives
-from quintrig.model.definition import Bezier, Swung
 from quintrig.model.model import Patch
 from quintrig.support.arrays import FloatArray
-from quintrig.sweep.space import SHAPE_NAMES, DesignSpace, parameters
+from quintrig.sweep.space import SHAPE_NAMES, DesignSpace
 
 _BASE = -4.0
 _STEP = 2.0**20  # a power of two, so that dividing by it rounds nothing
@@ -35,8 +34,8 @@ class Parts:
 
 def is_affine(patch: Patch, space: DesignSpace) -> bool:
     """Tell whether every varied parameter is a shape parameter of a surface built from control points."""
-    trigonometric = isinstance(patch.definition, Bezier) and patch.definition.basis == "trigonometric"
-    return trigonometric and set(space.names) <= set(SHAPE_NAMES)
+    definition = patch.definition
+    return definition.affine and not definition.classical and set(space.names) <= set(SHAPE_NAMES)
 
 
 def affine_rows(patch: Patch, u: FloatArray) -> FloatArray:
@@ -52,15 +51,6 @@ def affine_blend(patch: Patch, v: FloatArray, block: int) -> FloatArray:
 def single_part(surface: Surface, u: FloatArray, v: FloatArray, block: int) -> Parts:
     """Return the only part of one design, for parameters that are not affine."""
     return Parts(_rows(surface, u)[None], _blend(surface, v, block)[None])
-
-
-def with_parameters(patch: Patch, values: dict[str, float]) -> Patch:
-    """Return the patch with some of its parameters replaced."""
-    known = parameters(patch) | values
-    if isinstance(patch.definition, Swung):
-        scale = known.pop("scale")
-        patch = patch.with_scale(scale)
-    return patch.with_shape(list(known.values())) if known else patch
 
 
 def weights(patch: Patch, space: DesignSpace, designs: FloatArray) -> FloatArray:
