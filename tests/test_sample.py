@@ -10,8 +10,9 @@ import quintrig
 from catalogue import SHAPES, SURFACES, wave
 from closeness import natural, off, sound
 from quintrig import Thresholds
+from quintrig.basis.bernstein import Bernstein
 from quintrig.basis.bspline import clamped
-from quintrig.basis.trigonometric import Bernstein, Trigonometric
+from quintrig.basis.trigonometric import Trigonometric
 from quintrig.geometry.surface import Net
 from quintrig.quantities.table import BY_KEY, CLASSES, QUANTITIES, SCALARS
 from quintrig.support.arrays import aligned

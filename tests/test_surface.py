@@ -6,7 +6,8 @@ import pytest
 import oracle
 import quintrig
 from catalogue import SURFACES, wave
-from quintrig.basis.trigonometric import Bernstein, Trigonometric
+from quintrig.basis.bernstein import Bernstein
+from quintrig.basis.trigonometric import Trigonometric
 from quintrig.geometry.surface import Net, Surface
 
 REFERENCE_POINTS = np.array([[0.11, 0.23], [0.31, 0.64], [0.58, 0.37], [0.83, 0.91]])

@@ -10,7 +10,6 @@ import oracle
 import quintrig
 from quintrig.analysis.edge_layers import find_layers
 from quintrig.analysis.integrate import integrals
-from quintrig.basis.increments import terms
 from quintrig.quantities.classify import HK_TYPES
 from quintrig.support.tolerance import SINGULAR
 from quintrig.sweep.affine import amounts_above, is_affine, single_part
@@ -129,7 +128,7 @@ def test_affine_path_is_the_plain_path(name):
     assert is_affine(patch, task.space)
     for values, found in rows(task):
         (u, a), (v, b) = nodes_of(task, values, 16)
-        run = summariser(terms(patch.surface.blend), len(v))
+        run = summariser(patch.surface.blend.terms, len(v))
         part = single_part(patch.with_parameters(values).surface, u, v, len(v))
         plain = np.empty((1, len(COLUMNS)))
         run(part.rows, part.blend, np.empty((1, 0)), a, b, patch.surface.sign, SINGULAR, 1e-6, 1e-6, plain)

@@ -6,7 +6,7 @@ import numpy as np
 from pydantic import Field
 
 from quintrig import Surface, swept
-from quintrig.basis.functions import Powers
+from quintrig.basis.elementary import Powers
 from quintrig.geometry.surface import Net
 from quintrig.model.kinds.definition import Bezier, Definition, Keys, Polygon, Positive
 

@@ -7,7 +7,8 @@ import numpy as np
 
 from quintrig.analysis.extremes import Extremes
 from quintrig.analysis.sample import Sample
-from quintrig.basis.functions import Functions, Joined
+from quintrig.basis.functions import Functions
+from quintrig.basis.joined import Joined
 from quintrig.basis.trigonometric import SHAPE_RANGE, Trigonometric
 from quintrig.geometry.envelope import inner_regression
 from quintrig.geometry.surface import Net, Surface

@@ -5,6 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from quintrig.basis.functions import Functions
+from quintrig.basis.rational import NotRationalError, RationalFunctions, TangentMap, clamped_knots
 from quintrig.support.arrays import FloatArray, frozen, parameter
 
 HIGHEST_DEGREE = 25
@@ -15,7 +17,7 @@ CLOSEST = 1e-14
 
 
 @dataclass(frozen=True)
-class BSpline:
+class BSpline(Functions):
     """The B-spline functions N_i of a knot vector whose domain, knots[degree] to knots[-degree - 1], is [0, 1].
 
     At an interior knot of full multiplicity, where derivatives jump, those from the right are given. Build one with
@@ -89,6 +91,18 @@ class BSpline:
             result[k] = values
         return result
 
+    def rational(self) -> RationalFunctions:
+        """Return the functions themselves, which are polynomials span by span."""
+        return RationalFunctions(self.knots, self.degree, TangentMap(), np.ones(self.size), np.eye(self.size))
+
+    def rational_degree(self) -> int:
+        """Refuse to be one part of several, whose spans would differ: NotRationalError."""
+        raise NotRationalError("B-spline functions joined with others have no rational form here")
+
+    def tangent_map(self) -> TangentMap:
+        """Return the identity."""
+        return TangentMap()
+
 
 def normalised(knots: ArrayLike, degree: int) -> BSpline:
     """Return the B-spline functions over [0, 1] of knots over any interval; ValueError where they are not knots."""
@@ -108,9 +122,7 @@ def normalised(knots: ArrayLike, degree: int) -> BSpline:
 def clamped(breaks: ArrayLike, degree: int, multiplicity: int) -> BSpline:
     """Return the functions with end knots of full multiplicity and interior ``breaks`` of the given multiplicity."""
     array = frozen(breaks, "breaks", (None,))
-    inner = np.repeat(array[1:-1], multiplicity)
-    ends = degree + 1
-    return normalised(np.concatenate([np.repeat(array[0], ends), inner, np.repeat(array[-1], ends)]), degree)
+    return normalised(clamped_knots(array, degree, multiplicity), degree)
 
 
 def _check_rising(knots: FloatArray) -> None:

@@ -1,24 +1,24 @@
-"""The Bézier bases: quintic trigonometric with two shape parameters, and classical Bernstein."""
+"""The quintic trigonometric Bézier basis with two shape parameters, and its exact rational form."""
 
 import math
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
-from quintrig.basis.functions import Functions, sin_cos
+from quintrig.basis.elementary import sin_cos
+from quintrig.basis.functions import MOVING, Functions, Still
+from quintrig.basis.rational import RIGHT_ANGLE, TangentMap, circle_weights
 from quintrig.support import taylor
-from quintrig.support.arrays import BoolArray, FloatArray, number, parameter, whole
+from quintrig.support.arrays import BoolArray, FloatArray, number, parameter
 
 SHAPE_RANGE = (-4.0, 1.0)
 """Shape parameters in this range keep the trigonometric basis non-negative (Misro et al. 2017)."""
 
-BasisName = Literal["trigonometric", "bernstein"]
-
 
 @dataclass(frozen=True)
-class Trigonometric:
+class Trigonometric(Functions):
     """The six quintic trigonometric Bézier functions (Misro, Ramli and Ali 2017; thesis eq. 2.2).
 
     ``alpha`` acts at t = 0, ``zeta`` at t = 1, both in [-4, 1]; outside, ValueError unless ``unchecked``, and then
@@ -100,79 +100,58 @@ class Trigonometric:
         ]
         return 0.5 * np.pi * taylor.derivatives(np.stack(functions, axis=-1))
 
-
-@dataclass(frozen=True)
-class Bernstein:
-    """The Bernstein polynomials of any degree, for comparison with the classical Bézier forms."""
-
-    degree: int
-
-    def __post_init__(self) -> None:
-        """Check the degree once, at birth."""
-        object.__setattr__(self, "degree", whole(self.degree, "degree", 0))
-
     @property
-    def size(self) -> int:
-        """Number of functions: degree + 1."""
-        return self.degree + 1
+    def parameters(self) -> dict[str, float]:
+        """The shape parameters ``alpha`` and ``zeta``."""
+        return {"alpha": self.alpha, "zeta": self.zeta}
 
-    @property
-    def partition(self) -> bool:
-        """Whether the functions sum to 1: they do."""
-        return True
+    def increments(self, t: ArrayLike, order: int) -> FloatArray:
+        """Return derivatives 0 to ``order`` of the F_i, shape (order + 1, *t.shape, 5); ValueError outside [0, 1].
 
-    def derivatives(self, t: ArrayLike, order: int) -> FloatArray:
-        """Return derivatives 0 to ``order``, shape (order + 1, *t.shape, size); ValueError for t outside [0, 1]."""
-        t = parameter(t, "t")
-        x: FloatArray = np.zeros((order + 1, *t.shape))
-        x[0] = t
-        x[1:2] = 1.0
-        rest = -x
-        rest[0] = 1.0 - t
-        return taylor.derivatives(bernstein_series(x, rest, self.degree))
+        ``slopes`` are sums of the functions' derivatives without cancellation.
+        """
+        values = super().increments(t, 0)
+        return np.concatenate([values, self.slopes(t, order - 1)]) if order else values
 
+    def standing(self, steps: FloatArray) -> Still:
+        """Return at which ends Σ F_i ΔP_i stands still, with increments ``steps`` (5, ...).
 
-@dataclass(frozen=True)
-class TangentBernstein:
-    """Bernstein polynomials in w = tan(πt/4): the exact rational form of trigonometric curves lives in these."""
+        It does where the shape parameter is -4 or the two control points there coincide.
+        """
+        return self.alpha == -4.0 or not steps[0].any(), self.zeta == -4.0 or not steps[-1].any()
 
-    degree: int
+    def hodograph(self, t: FloatArray, order: int, still: Still) -> tuple[FloatArray, FloatArray]:
+        """Return f, sin(πt/2) for a still start times cos(πt/2) for a still end, and the series of ``slopes`` / f."""
+        s, c = sin_cos(t)
+        return np.where(still[0], s, 1.0) * np.where(still[1], c, 1.0), self.slopes(t, order, *still)
 
-    @property
-    def size(self) -> int:
-        """Number of functions: degree + 1."""
-        return self.degree + 1
+    def fill(self, t: FloatArray, out: FloatArray, still: Still = MOVING) -> None:
+        """Write derivatives 0 to 2 of the F_i at blocks of BLOCK parameters (blocks, BLOCK) to ``out``, compiled.
 
-    @property
-    def partition(self) -> bool:
-        """Whether the functions sum to 1: they do."""
-        return True
+        Beside ends that are ``still`` the second are f (F_i' / f)'.
+        """
+        from quintrig.basis.trigonometric_jit import across, fill
 
-    def derivatives(self, t: ArrayLike, order: int) -> FloatArray:
-        """Return derivatives 0 to ``order`` by t, shape (order + 1, *t.shape, size); ValueError for t not in [0, 1]."""
-        t = parameter(t, "t")
-        rate = 0.25 * np.pi
-        w: FloatArray = np.zeros((order + 1, *t.shape))
-        w[0] = np.where(t == 1.0, 1.0, np.tan(rate * t))
-        for k in range(order):  # w' = (π/4)(1 + w²)
-            square = sum((w[i] * w[k - i] for i in range(k + 1)), np.zeros(()))
-            w[k + 1] = rate / (k + 1) * (square + (1.0 if k == 0 else 0.0))
-        rest = -w
-        rest[0] = np.tan(rate * (1.0 - t)) * (1.0 + w[0])  # 1 - tan x = tan(π/4 - x)(1 + tan x)
-        return taylor.derivatives(bernstein_series(w, rest, self.degree))
+        whole = out if out.flags.c_contiguous else np.empty(out.shape)
+        flat = whole.reshape(len(t), -1)
+        fill(t, self.alpha, self.zeta, flat)
+        if any(still):
+            across(t, self.alpha, self.zeta, *still, flat)
+        if whole is not out:
+            out[...] = whole
 
+    def tangent_map(self) -> TangentMap:
+        """Return the map of a right angle."""
+        return RIGHT_ANGLE
 
-def family(name: BasisName, points: int, alpha: float, zeta: float, unchecked: bool = False) -> Functions:
-    """Return the basis called ``name`` for this many control points; ValueError where they do not fit."""
-    if name == "trigonometric":
-        if points != 6:
-            raise ValueError(f"points: expected 6 control points for the trigonometric basis, found {points}")
-        return Trigonometric(alpha, zeta, unchecked)
-    if name == "bernstein":
-        if points < 2:
-            raise ValueError(f"points: expected 2 or more control points, found {points}")
-        return Bernstein(points - 1)
-    raise ValueError(f"basis: expected 'trigonometric' or 'bernstein', found {name!r}")
+    def rational_degree(self) -> int:
+        """Return 10, or 8 without shape parameters."""
+        return 8 if self.alpha == self.zeta == 0.0 else 10
+
+    def numerators(self, to: TangentMap, degree: int) -> FloatArray:
+        """Return the numerators' coefficients (n, 6) in degree 8 or 10 over the common weights of ``to``."""
+        control = degree_eight(np.eye(6)) if degree == 8 else degree_ten(np.eye(6), self.alpha, self.zeta)
+        return control * to.weights(degree)[:, None]
 
 
 def shape_parameter(value: float, name: str, unchecked: bool = False) -> float:
@@ -185,13 +164,6 @@ def shape_parameter(value: float, name: str, unchecked: bool = False) -> float:
             "set unchecked_shape = true and lose the convex-hull property"
         )
     return value
-
-
-def bernstein_series(x: FloatArray, rest: FloatArray, degree: int) -> FloatArray:
-    """Return the series of C(n, i) x^i (1 - x)^(n - i), shape (*x.shape, degree + 1), given x and 1 - x apart."""
-    up, down = taylor.powers(x, degree), taylor.powers(rest, degree)
-    terms = [math.comb(degree, i) * taylor.product(up[i], down[degree - i]) for i in range(degree + 1)]
-    return np.stack(terms, axis=-1)
 
 
 def _sines(t: FloatArray, order: int) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
@@ -216,3 +188,43 @@ def _rotation(value: FloatArray, slope: FloatArray, order: int) -> FloatArray:
     cycle = (value, slope, -value, -slope)
     rate = 0.5 * np.pi
     return np.stack([rate**k / math.factorial(k) * cycle[k % 4] for k in range(order + 1)])
+
+
+WEIGHTS: FloatArray = circle_weights(10)
+"""Weights of the eleven control points, which do not depend on the shape parameters: 1, 1, 10/9, ..., 32."""
+
+
+def degree_ten(points: NDArray[Any], alpha: Any, zeta: Any) -> NDArray[Any]:
+    """Return the eleven control points of the rational form, from six of shape (6, ...); length¹.
+
+    With ``WEIGHTS`` they give the same curve in w = tan(πt/4), w in [0, 1] (Sánchez-Reyes 1998 for the principle).
+    Exact arithmetic, such as arrays of fractions, passes through.
+    """
+    start = _half(points, alpha)
+    end = _half(points[::-1], zeta)
+    middle = (points[2] + points[3]) / 2
+    return np.stack([*start, middle, *end[::-1]])
+
+
+def degree_eight(points: NDArray[Any]) -> NDArray[Any]:
+    """Return the nine control points for α = ζ = 0, which go with ``circle_weights(8)``; length¹."""
+    p = points
+    first, last = p[1] + 3 * (p[2] - p[1]) / 4, p[4] + 3 * (p[3] - p[4]) / 4
+    return np.stack([p[0], p[1], first, p[2], (p[2] + p[3]) / 2, p[3], last, p[4], p[5]])
+
+
+def homogeneous(points: FloatArray, alpha: float, zeta: float) -> FloatArray:
+    """Return weight times control point in the lowest degree that α and ζ allow, 10 or 8: shape (11 or 9, ...)."""
+    control = degree_eight(points) if alpha == zeta == 0.0 else degree_ten(points, alpha, zeta)
+    return control * circle_weights(len(control) - 1).reshape(-1, *([1] * (control.ndim - 1)))
+
+
+def _half(p: NDArray[Any], alpha: Any) -> list[NDArray[Any]]:
+    """Return b_0 to b_4; written in differences, so that α = -4 gives b_1 = b_0 to the last bit."""
+    return [
+        p[0],
+        p[0] + (4 + alpha) * (p[1] - p[0]) / 5,
+        p[0] + ((12 + alpha) * (p[1] - p[0]) + 12 * (p[2] - p[0])) / 25,
+        p[1] + 4 * (p[2] - p[1]) / 5,
+        p[2] + (4 * (p[1] - p[2]) + 17 * (p[3] - p[2])) / 90,
+    ]

@@ -3,7 +3,7 @@
 import numpy as np
 from matplotlib.figure import Figure
 
-from quintrig.basis.functions import Powers
+from quintrig.basis.elementary import Powers
 from quintrig.figure.camera import View
 from quintrig.figure.palette import CLASS_COLOURS, INK
 from quintrig.figure.sheet import Area, Axes, new_figure

@@ -7,7 +7,9 @@ S_u x S_v on the others; ``flip`` turns it.
 
 import numpy as np
 
-from quintrig.basis.functions import Circular, Functions, Hyperbolic, Joined, Powers
+from quintrig.basis.elementary import Circular, Hyperbolic, Powers
+from quintrig.basis.functions import Functions
+from quintrig.basis.joined import Joined
 from quintrig.geometry.surface import Net, Surface
 from quintrig.support.arrays import SMALLEST, FloatArray, number
 

@@ -10,8 +10,10 @@ from typing import TypedDict
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quintrig.basis.functions import Joined
-from quintrig.basis.trigonometric import BasisName, Bernstein, family, shape_parameter
+from quintrig.basis.bernstein import Bernstein
+from quintrig.basis.joined import Joined
+from quintrig.basis.registry import BasisName, family
+from quintrig.basis.trigonometric import shape_parameter
 from quintrig.geometry.origin import local_origin, moved_plane
 from quintrig.geometry.surface import Net, Surface
 from quintrig.support.arrays import FloatArray, frozen, number

@@ -7,8 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from quintrig.basis.functions import Functions
-from quintrig.basis.increments import standing, still_factor
-from quintrig.basis.trigonometric import BasisName, Trigonometric, family
+from quintrig.basis.registry import BasisName, family
 from quintrig.geometry.origin import local_origin
 from quintrig.support.arrays import FloatArray, frozen, number, parameter, whole
 from quintrig.support.pickled import Pickled
@@ -143,11 +142,9 @@ class Curve(Pickled):
         det(z', z", ...) of three is f³ det(R, R', R").
         """
         t = parameter(t, "t")
-        if not isinstance(self.functions, Trigonometric):
-            return np.ones(t.shape), *self.derivatives(t, order)[1:]
-        steps = np.diff(self.points, axis=0)
-        still = standing(self.functions, steps)
-        return still_factor(t, still), *(self.functions.slopes(t, order - 1, *still) @ steps)
+        steps = self.functions.split(self.points)[1:]
+        factor, slopes = self.functions.hodograph(t, order - 1, self.functions.standing(steps))
+        return factor, *(slopes @ steps)
 
     def _speed(self, first: FloatArray, factor: FloatArray) -> FloatArray:
         """Return |R|, NaN where the speed f |R| vanishes."""

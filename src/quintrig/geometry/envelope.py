@@ -8,8 +8,9 @@ from functools import cached_property, lru_cache
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quintrig.basis.rational import homogeneous, wedge_points, without_factor
-from quintrig.basis.trigonometric import Bernstein, TangentBernstein, Trigonometric, shape_parameter
+from quintrig.basis.bernstein import Bernstein, TangentBernstein
+from quintrig.basis.rational import wedge_points, without_factor
+from quintrig.basis.trigonometric import Trigonometric, homogeneous, shape_parameter
 from quintrig.geometry.origin import local_origin, moved_plane
 from quintrig.geometry.surface import Net, Surface
 from quintrig.support import taylor

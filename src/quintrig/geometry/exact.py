@@ -11,9 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from quintrig.basis.bernstein import Bernstein, TangentBernstein
 from quintrig.basis.bspline import BSpline, clamped
-from quintrig.basis.rational import RIGHT_ANGLE, NotRationalError, TangentMap, rational_functions
-from quintrig.basis.trigonometric import Bernstein, TangentBernstein
+from quintrig.basis.rational import RIGHT_ANGLE, NotRationalError, TangentMap
 from quintrig.geometry.curve import Curve
 from quintrig.geometry.envelope import Envelope
 from quintrig.geometry.nurbs import nurbs
@@ -94,9 +94,9 @@ class ExactSurface:
 
 def exact_curve(curve: Curve) -> ExactCurve:
     """Return the exact rational form of a curve, of degree 10 (8 for α = ζ = 0) or its own degree if classical."""
-    form = rational_functions(curve.functions)
+    form = curve.functions.rational()
     points = (form.coefficients @ curve.points) / form.weights[:, None]
-    return ExactCurve(form.basis, points, form.weights, form.map)
+    return ExactCurve(BSpline(form.knots, form.degree), points, form.weights, form.map)
 
 
 def exact_surface(surface: Surface) -> ExactSurface:
@@ -109,13 +109,14 @@ def exact_surface(surface: Surface) -> ExactSurface:
         return _strip(surface, surface.rows)
     if not isinstance(surface.rows, Net):
         raise NotRationalError(f"rows of type {type(surface.rows).__name__} have no exact rational form")
-    rows, blend = rational_functions(surface.rows.functions), rational_functions(surface.blend)
+    rows, blend = surface.rows.functions.rational(), surface.blend.rational()
     control = np.einsum("ki,lj,ijx->klx", rows.coefficients, blend.coefficients, surface.rows.points)
     weights = np.outer(rows.weights, blend.weights)
     if surface.rational:
         control, weights = control[..., :3], control[..., 3]
+    u, v = BSpline(rows.knots, rows.degree), BSpline(blend.knots, blend.degree)
     points = control / weights[..., None] + surface.origin
-    return ExactSurface(rows.basis, blend.basis, points, weights, (rows.map, blend.map), flip=surface.flip)
+    return ExactSurface(u, v, points, weights, (rows.map, blend.map), flip=surface.flip)
 
 
 def _strip(surface: Surface, rows: Envelope) -> ExactSurface:

@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from quintrig.basis.functions import Functions
-from quintrig.basis.increments import increments, split
 from quintrig.support.arrays import BoolArray, FloatArray, locked, parameter, whole
 from quintrig.support.display import mime_bundle
 from quintrig.support.pickled import Pickled
@@ -37,7 +36,7 @@ class Rows(Protocol):
 class Net(Pickled):
     """Rows that share their functions: Q_j(u) = Σ_i f_i(u) P_ij, ``points`` of shape (i, j, 3 or 4), length¹.
 
-    ``steps`` holds the increments of the points both ways, as ``increments.split`` gives them, where the construction
+    ``steps`` holds the increments of the points both ways, as ``Functions.split`` gives them, where the construction
     knows them better than differences of rounded points do.
     """
 
@@ -68,8 +67,8 @@ class Net(Pickled):
         """Return origin and increments of the points both ways, (1 + terms, 1 + terms of ``blend``, 3), length¹."""
         if self.steps is not None:
             return self.steps
-        by_rows = split(self.points, self.functions).transpose(1, 0, 2)
-        return split(by_rows, blend).transpose(1, 0, 2)
+        by_rows = self.functions.split(self.points).transpose(1, 0, 2)
+        return blend.split(by_rows).transpose(1, 0, 2)
 
 
 LARGEST_SIZE = 1e30
@@ -139,7 +138,7 @@ class Surface(Pickled):
         if not order:
             return point
         # Derivatives see differences of neighbours only. (Points do not: edges meet those of neighbours exactly.)
-        result = _blended(self._increments(u, order), _with_one(increments(self.blend, v, order)))
+        result = _blended(self._increments(u, order), _with_one(self.blend.increments(v, order)))
         result[0, 0] = point[0, 0]
         return result
 
@@ -147,8 +146,8 @@ class Surface(Pickled):
         """Return derivatives of origin and row increments, (order + 1, *u.shape, 1 + terms, 3), length¹."""
         if not isinstance(self.rows, Net):
             rows = np.moveaxis(self.rows.derivatives(u, order), -2, 0)
-            return np.moveaxis(split(rows, self.blend), 0, -2)
-        net, functions = self.rows.increments(self.blend), _with_one(increments(self.rows.functions, u, order))
+            return np.moveaxis(self.blend.split(rows), 0, -2)
+        net, functions = self.rows.increments(self.blend), _with_one(self.rows.functions.increments(u, order))
         return (functions @ net.reshape(len(net), -1)).reshape(*functions.shape[:-1], *net.shape[1:])
 
     def inside(self, u: ArrayLike, v: ArrayLike) -> BoolArray:
@@ -176,8 +175,8 @@ class Surface(Pickled):
 
     def breaks(self, axis: int) -> FloatArray:
         """Return the parameters from 0 to 1 in u (``axis`` 0) or v (1) between two of which the surface is smooth."""
-        functions = self.blend if axis else getattr(self.rows, "functions", None)
-        return getattr(functions, "breaks", np.array([0.0, 1.0]))
+        functions = self.blend if axis else getattr(self.rows, "functions", None)  # only a net's rows share some
+        return np.array([0.0, 1.0]) if functions is None else functions.breaks
 
     @property
     def rational(self) -> bool:

@@ -11,11 +11,10 @@ from functools import cache
 import numpy as np
 
 from quintrig.kernel import contraction
-from quintrig.kernel.blocks import BLOCK
 from quintrig.kernel.outputs import SCRATCH
 from quintrig.kernel.stores import FIRST, LAST
 from quintrig.support.arrays import FloatArray
-from quintrig.support.compiled import call, fence, loop
+from quintrig.support.compiled import BLOCK, call, fence, loop
 
 GRID, ROWS = -2, -1
 """What ``rows`` holds instead of functions that the rows share; see ``driver``."""

@@ -9,10 +9,9 @@ from typing import Any, NamedTuple, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from quintrig.basis.functions import Functions
-from quintrig.basis.increments import MOVING, Still, split, standing, terms
+from quintrig.basis.functions import MOVING, Functions, Still
 from quintrig.geometry.surface import Net, Surface
-from quintrig.kernel.blocks import BLOCK, increment_blocks, pad
+from quintrig.kernel.blocks import increment_blocks, pad
 from quintrig.kernel.driver import GRID, ROWS, driver
 from quintrig.kernel.outputs import (
     CODE_PLANES,
@@ -27,6 +26,7 @@ from quintrig.kernel.outputs import (
 )
 from quintrig.quantities.table import BY_KEY
 from quintrig.support.arrays import FloatArray, aligned, whole
+from quintrig.support.compiled import BLOCK
 
 Planes = dict[str, NDArray[Any]]
 """Output arrays by key of the quantity, each (components, rows, columns)."""
@@ -70,7 +70,7 @@ def on_grid(surface: Surface, u: FloatArray, v: FloatArray, planes: Planes, thre
     along, across = _still(surface)
     rows = _flat(row_derivatives(surface, u, along))
     blend = _flat(increment_blocks(surface.blend, v, still=across))
-    drive, outputs = driver(terms(surface.blend), GRID), _outputs(planes, at)
+    drive, outputs = driver(surface.blend.terms, GRID), _outputs(planes, at)
     # Several pieces a thread, so that one that starts late or is interrupted does not keep the others waiting.
     pieces = min(len(u), 8 * threads if threads > 1 else 1)
     edges = [len(u) * i // pieces for i in range(pieces + 1)]
@@ -122,7 +122,7 @@ def row_derivatives(surface: Surface, u: FloatArray, still: Still = MOVING) -> F
     """
     rows = surface.rows
     if not isinstance(rows, Net):
-        result = split(rows.derivatives(u, 2).transpose(2, 1, 0, 3), surface.blend).transpose(1, 2, 0, 3)
+        result = surface.blend.split(rows.derivatives(u, 2).transpose(2, 1, 0, 3)).transpose(1, 2, 0, 3)
         result[:, 0, 0] += surface.origin
         return result
     net = _net(surface, rows)
@@ -138,7 +138,7 @@ def _still(surface: Surface) -> tuple[Still, Still]:
     if not isinstance(surface.rows, Net):
         return MOVING, MOVING
     steps = surface.rows.increments(surface.blend)
-    return standing(surface.rows.functions, steps[1:]), standing(surface.blend, steps[:, 1:].swapaxes(0, 1))
+    return surface.rows.functions.standing(steps[1:]), surface.blend.standing(steps[:, 1:].swapaxes(0, 1))
 
 
 def _net(surface: Surface, rows: Net) -> FloatArray:
@@ -161,7 +161,7 @@ def _inputs(surface: Surface, most: int) -> tuple[tuple[int, int], Callable[[Flo
     still = _still(surface)
     if isinstance(rows, Net) and rows.functions.size <= _WIDEST:
         net, functions, along = _net(surface, rows).reshape(-1), rows.functions, _room(rows.functions, most)
-        return (terms(blend), terms(functions)), lambda u, v: (
+        return (blend.terms, functions.terms), lambda u, v: (
             _flat(increment_blocks(functions, u, along, still[0])),
             net,
             _flat(increment_blocks(blend, v, across, still[1])),
@@ -172,12 +172,12 @@ def _inputs(surface: Surface, most: int) -> tuple[tuple[int, int], Callable[[Flo
         derivatives = row_derivatives(surface, pad(u).reshape(-1), still[0]).reshape(len(blends), BLOCK, -1)
         return _flat(derivatives.transpose(0, 2, 1)), _NO_NET, blends
 
-    return (terms(blend), ROWS), apart
+    return (blend.terms, ROWS), apart
 
 
 def _room(functions: Functions, most: int) -> FloatArray:
     """Return memory for the increments at up to ``most`` points."""
-    return aligned((-(-most // BLOCK) * BLOCK * 3 * terms(functions),))
+    return aligned((-(-most // BLOCK) * BLOCK * 3 * functions.terms,))
 
 
 def _handed_through(partials: FloatArray) -> _Inputs:

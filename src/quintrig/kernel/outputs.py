@@ -15,14 +15,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quintrig.kernel.blocks import BLOCK
 from quintrig.kernel.contraction import DU, DUU, DUV, DV, DVV, PARTIALS, form, three
 from quintrig.kernel.stores import LINE, write, write_past_caches
 from quintrig.quantities import classify, curvature, invariants
 from quintrig.quantities.curvature import Three
 from quintrig.quantities.table import QUANTITIES
 from quintrig.support.arrays import FloatArray
-from quintrig.support.compiled import address, codes_at, floats_at, loop, scalar, words_at
+from quintrig.support.compiled import BLOCK, address, codes_at, floats_at, loop, scalar, words_at
 
 Addresses = NDArray[np.int64]
 """Where each plane starts, 0 for one that nobody asked for."""

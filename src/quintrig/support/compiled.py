@@ -20,6 +20,7 @@ from llvmlite import ir as _ir
 Function = TypeVar("Function", bound=Callable[..., Any])
 
 SOURCES = (
+    "basis/trigonometric_jit",
     "kernel/blocks",
     "quantities/classify",
     "support/compiled",
@@ -34,6 +35,10 @@ SOURCES = (
     "kernel/stores",
 )
 """Modules whose text goes into compiled code."""
+
+BLOCK = 64
+"""Points in a block: 38 scratch rows of half a KiB stay in a level-1 cache beside the increments. Measured best of 32,
+48, 64, 72, 96 and 128."""
 
 _PROCESS = uuid4().hex[:8]
 

@@ -10,7 +10,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from quintrig.basis.increments import increments
 from quintrig.geometry.surface import Surface
 from quintrig.kernel.evaluate import row_derivatives
 from quintrig.model.model import Patch
@@ -101,4 +100,4 @@ def _rows(surface: Surface, u: FloatArray) -> FloatArray:
 
 def _blend(surface: Surface, v: FloatArray, block: int) -> FloatArray:
     padded = np.concatenate([v, np.full(block - len(v), v[-1])])
-    return np.ascontiguousarray(increments(surface.blend, padded, 2).transpose(0, 2, 1).reshape(-1))
+    return np.ascontiguousarray(surface.blend.increments(padded, 2).transpose(0, 2, 1).reshape(-1))

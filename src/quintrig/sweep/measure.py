@@ -5,7 +5,6 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from quintrig.basis.increments import terms
 from quintrig.geometry.surface import Surface
 from quintrig.model.model import Patch
 from quintrig.quantities.classify import Thresholds
@@ -63,7 +62,7 @@ def _summarised(
     result = np.empty((len(amounts), len(COLUMNS)))
     block = _block(v)
     padded = np.concatenate([v[1], np.zeros(block - len(v[1]))])
-    run = summariser(terms(surface.blend), block)
+    run = summariser(surface.blend.terms, block)
     settings = (surface.sign, SINGULAR, thresholds.relative, thresholds.flat)
     run(parts.rows, parts.blend, amounts, u[1], padded, *settings, result)
     return result

@@ -5,7 +5,8 @@ from typing import ClassVar, Literal
 import numpy as np
 from pydantic import Field
 
-from quintrig.basis.functions import Circular, Hyperbolic, Joined, Powers
+from quintrig.basis.elementary import Circular, Hyperbolic, Powers
+from quintrig.basis.joined import Joined
 from quintrig.geometry import closed_forms as reference
 from quintrig.geometry.surface import Net, Surface
 from quintrig.model.kinds.definition import Definition, Keys, Number, Positive

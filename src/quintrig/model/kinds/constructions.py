@@ -4,8 +4,10 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
-from quintrig.basis.functions import Functions, Joined
-from quintrig.basis.trigonometric import SHAPE_RANGE, Bernstein, Trigonometric
+from quintrig.basis.bernstein import Bernstein
+from quintrig.basis.functions import Functions
+from quintrig.basis.joined import Joined
+from quintrig.basis.trigonometric import SHAPE_RANGE, Trigonometric
 from quintrig.geometry import constructions as construct
 from quintrig.geometry import envelope
 from quintrig.geometry.surface import Net, Surface

@@ -7,7 +7,7 @@ from typing import Annotated, Any, ClassVar
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from quintrig.basis.trigonometric import BasisName
+from quintrig.basis.registry import BasisName
 from quintrig.geometry.constructions import Options
 from quintrig.geometry.surface import Surface
 from quintrig.support.arrays import LARGEST, SMALLEST
