@@ -157,7 +157,7 @@ def started(tmp_path, script, *arguments):
 
 
 HELD = """
-import time, pathlib, quintrig.files as files
+import time, pathlib, quintrig.support.files as files
 real = files.flush
 def hold(file):
     real(file)

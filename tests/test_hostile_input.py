@@ -109,7 +109,7 @@ def test_memory_and_time_stay_small(tmp_path):
     for name, text in (DEEP | MANY).items():
         (tmp_path / name).write_text(text)
     code = (
-        "import resource, sys\nfrom pathlib import Path\nfrom quintrig.model import load\n"
+        "import resource, sys\nfrom pathlib import Path\nfrom quintrig import load\n"
         "before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss\n"
         "for file in Path(sys.argv[1]).iterdir():\n"
         "    try: load(file)\n"

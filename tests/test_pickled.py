@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import quintrig
-from quintrig.analysis.sample import grid
 from quintrig.analysis.summary import summarise
+from quintrig.geometry.domain import grid
 from quintrig.geometry.nurbs import nurbs
 
 EXAMPLES = sorted((Path(__file__).parents[1] / "examples").glob("*.toml"))
