@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from quintrig.analysis.summary import summarise as summarise
     from quintrig.enclosures.convex_hull import check_curve_hull as check_curve_hull
     from quintrig.enclosures.convex_hull import check_hull as check_hull
+    from quintrig.figure.plot import plot as plot
+    from quintrig.figure.style import Style as Style
     from quintrig.geometry.closed_forms import catenoid as catenoid
     from quintrig.geometry.closed_forms import cone as cone
     from quintrig.geometry.closed_forms import cylinder as cylinder
@@ -71,6 +73,8 @@ _HOME = {
         "torus",
     ),
     "analysis.sample": ("Sample", "analyse"),
+    "figure.plot": ("plot",),
+    "figure.style": ("Style",),
     "geometry.domain": ("grid",),
     "geometry.surface": ("Surface",),
 }

@@ -8,11 +8,13 @@ import typer
 
 from quintrig.cli import session
 from quintrig.cli.options import Face, Listing, ModelFile, OnlyPatch
+from quintrig.cli.style import with_style
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from quintrig.figure import Mark, Scene, View
+    from quintrig.figure.style import Style
     from quintrig.model.model import Model, Patch
 
 _EPILOG = session.examples(
@@ -27,7 +29,7 @@ _EPILOG = session.examples(
 
 def register(app: typer.Typer) -> None:
     """Add the command."""
-    session.add(app, plot, _EPILOG)
+    session.add(app, with_style(plot), _EPILOG)
 
 
 def plot(
@@ -35,7 +37,7 @@ def plot(
     output: Annotated[
         Path,
         typer.Option(
-            "-o", "--output", metavar="FILE", help="Picture to write: .png, .svg or .pdf.", show_default=False
+            "-o", "--output", metavar="FILE", help="Picture to write: .png, .svg, .pdf or .eps.", show_default=False
         ),
     ],
     quantities: Annotated[
@@ -59,10 +61,13 @@ def plot(
         str | None, typer.Option(metavar="NUMBERS", help="Other shape parameters, such as 1,1,-3,-3.")
     ] = None,
     patch: OnlyPatch = None,
-    width: Annotated[float, typer.Option(min=3.0, max=20.0, help="Width in inches.")] = 8.0,
+    width: Annotated[
+        str, typer.Option(metavar="WIDTH", help="Width: inches, or such as 84mm, column or page (84 and 174 mm).")
+    ] = "8",
     dpi: Annotated[int, typer.Option(min=30, max=600, help="Dots per inch of a .png.")] = 200,
     listing: Listing = False,
     face: Face = None,
+    style: "Style | None" = None,
 ) -> None:
     """Draw a model in space, with true proportions, or as flat maps over its parameters.
 
@@ -81,10 +86,13 @@ def plot(
     kind_of(output)
     refuse_unwritable(output)
     marks = _marks(at or [])
+    from quintrig.figure.style import STANDARD, inches
+
+    look, wide = style or STANDARD, inches(width)
     if view == "flat":
-        figure = _flat(loaded, chosen, keys, marks, width)
+        figure = _flat(loaded, chosen, keys, marks, wide, look)
     else:
-        figure = _space(loaded, chosen, keys, view, _scene(view, net, lines, marks, keys), width)
+        figure = _space(loaded, chosen, keys, view, _scene(view, net, lines, marks, keys), wide, look)
     replaced = output.is_file()
     session.wrote(save(figure, output, dpi), replaced)
 
@@ -142,7 +150,12 @@ def read_view(text: str, others: Sequence[str] = ()) -> "View":
 
 
 def _flat(
-    model: "Model", chosen: "Sequence[Patch]", keys: list[str | None], marks: "tuple[Mark, ...]", width: float
+    model: "Model",
+    chosen: "Sequence[Patch]",
+    keys: list[str | None],
+    marks: "tuple[Mark, ...]",
+    width: float,
+    style: "Style",
 ) -> "Figure":
     from quintrig import figure
     from quintrig.support.errors import ModelError
@@ -153,14 +166,20 @@ def _flat(
     if len(chosen) > 1:
         names = ", ".join(repr(one.name) for one in chosen)
         raise ModelError(f"--patch: a flat map shows one surface; choose one of {names}")
-    surface = chosen[0].surface
+    surface, name, unit = chosen[0].surface, model.name, model.unit
     if len(wanted) == 1:
-        return figure.flat_map(surface, wanted[0], marks=marks, title=model.name, unit=model.unit, width=width)
-    return figure.map_panels(surface, wanted, marks=marks, title=model.name, unit=model.unit, width=width)
+        return figure.flat_map(surface, wanted[0], marks=marks, title=name, unit=unit, width=width, style=style)
+    return figure.map_panels(surface, wanted, marks=marks, title=name, unit=unit, width=width, style=style)
 
 
 def _space(
-    model: "Model", chosen: "Sequence[Patch]", keys: list[str | None], view: str, scene: "Scene", width: float
+    model: "Model",
+    chosen: "Sequence[Patch]",
+    keys: list[str | None],
+    view: str,
+    scene: "Scene",
+    width: float,
+    style: "Style",
 ) -> "Figure":
     from quintrig import figure
 
@@ -169,7 +188,7 @@ def _space(
     if view == "all":
         if len(keys) > 1:
             raise ValueError("--quantities: expected one with --view all, got several")
-        return figure.projections(surfaces, keys[0], scene, title=name, unit=unit, width=width)
+        return figure.projections(surfaces, keys[0], scene, title=name, unit=unit, width=width, style=style)
     if len(keys) == 1:
-        return figure.space_picture(surfaces, keys[0], scene, title=name, unit=unit, width=width)
-    return figure.panels(surfaces, keys, scene, title=name, unit=unit, width=width)
+        return figure.space_picture(surfaces, keys[0], scene, title=name, unit=unit, width=width, style=style)
+    return figure.panels(surfaces, keys, scene, title=name, unit=unit, width=width, style=style)

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from quintrig.figure.camera import BACK, SIDE, TOP
-from quintrig.figure.field import common_limits, facet_fields
+from quintrig.figure.field import common_limits, facet_fields, levels_of
 from quintrig.figure.flat import draw_colours, draw_map, draw_marks, dress, lines_note, map_axes, map_fields, zero_sets
 from quintrig.figure.frame import equal_scale, panel_size, stacked_scale
 from quintrig.figure.legend import draw_class_list, draw_key, key_height, list_height
@@ -17,6 +17,7 @@ from quintrig.figure.palette import SERIES
 from quintrig.figure.scene import Box, Mark, Scene, bounds, settled, share_outside
 from quintrig.figure.sheet import columns_for, sheet
 from quintrig.figure.space import draw_space
+from quintrig.figure.style import STANDARD, Style
 from quintrig.figure.whole import panel_title, several
 from quintrig.figure.wording import note
 from quintrig.geometry.surface import Surface
@@ -34,15 +35,18 @@ def comparison(
     thresholds: Thresholds | None = None,
     columns: int = 0,
     width: float = 9.0,
+    style: Style = STANDARD,
 ) -> Figure:
     """Return several surfaces side by side, such as one with several shape parameters, coloured by a quantity or plain.
 
     All have one scale of length and one of colour. ``columns`` 0 chooses: 2 for four surfaces, else up to 3.
     """
+    width = width / style.factor
     scene = scene or Scene()
     columns = columns_for(width, len(surfaces), columns or (2 if len(surfaces) == 4 else 3))
     fields = facet_fields(surfaces, key, scene.cells, thresholds)
-    stretch = common_limits(fields)
+    stretch = common_limits(fields, style)
+    levels = levels_of(style, stretch)
     box = _union([bounds([surface], scene) for surface in surfaces])
     each = (width - 0.2 - 0.12 * (columns - 1)) / columns
     page = sheet(
@@ -54,13 +58,23 @@ def comparison(
         note=note(surfaces, fields, unit, thresholds, share_outside(surfaces, box), zeros=scene.zeros),
         key="below" if fields else "none",
         key_size=key_height([fields], width - 0.2),
+        style=style,
     )
     for index, surface in enumerate(surfaces):
         here = fields[index : index + 1]
-        draw_space(page.panels[index].axes(), [surface], scene, fields=here, stretch=stretch, unit=unit, box=box)
+        draw_space(
+            page.panels[index].axes(),
+            [surface],
+            scene,
+            fields=here,
+            stretch=stretch,
+            unit=unit,
+            box=box,
+            levels=levels,
+        )
     if fields:
         draw_key(page.keys[0], fields, stretch, unit)
-    return page.figure
+    return style.finish(page.figure)
 
 
 def map_comparison(
@@ -74,11 +88,14 @@ def map_comparison(
     thresholds: Thresholds | None = None,
     columns: int = 4,
     width: float = 9.0,
+    style: Style = STANDARD,
 ) -> Figure:
     """Return maps over (u, v) of one quantity on several surfaces, side by side on one scale of colour."""
+    width = width / style.factor
     columns = columns_for(width, len(surfaces), columns)
     fields = map_fields(surfaces, key, thresholds=thresholds)
-    stretch = common_limits(fields)
+    stretch = common_limits(fields, style)
+    levels = levels_of(style, stretch)
     zeros = [zero_sets(surface, f) for surface, f in zip(surfaces, fields, strict=True)]
     side = (width - 0.2 - 0.12 * (columns - 1)) / columns
     page = sheet(
@@ -90,11 +107,12 @@ def map_comparison(
         note="; ".join(part for part in (note(surfaces, fields, unit, thresholds), lines_note(zeros)) if part),
         key="below",
         key_size=key_height([fields], width - 0.2),
+        style=style,
     )
     for area, surface, f, lines in zip(page.panels, surfaces, fields, zeros, strict=True):
-        draw_map(map_axes(area), surface, f, stretch, marks, lines)
+        draw_map(map_axes(area), surface, f, stretch, marks, lines, levels)
     draw_key(page.keys[0], fields, stretch, unit)
-    return page.figure
+    return style.finish(page.figure)
 
 
 def code_map(
@@ -106,22 +124,24 @@ def code_map(
     title: str = "",
     note: str = "",
     width: float = 5.0,
+    style: Style = STANDARD,
 ) -> Figure:
     """Return a map over (u, v) of any codes 0, 1, ... (n, m), first index along u, at the middles of equal cells.
 
     It serves where the codes are no quantity of the table, such as where two classifications agree.
     """
+    width = width / style.factor
     rgb = np.array([to_rgb(colour) for colour in colours])
     side = width - 0.2
     seen = sorted({int(code) for code in np.unique(codes)})
     shown = [names[code] for code in seen]
-    page = sheet(1, (side, side), title=title, note=note, key="below", key_size=list_height(shown, side))
+    page = sheet(1, (side, side), title=title, note=note, key="below", key_size=list_height(shown, side), style=style)
     axes = map_axes(page.panels[0])
     draw_colours(axes, rgb[np.asarray(codes, dtype=np.intp)])
     draw_marks(axes, marks)
     dress(axes)
     draw_class_list(page.keys[0], "", shown, [colours[code] for code in seen])
-    return page.figure
+    return style.finish(page.figure)
 
 
 def projections(
@@ -133,15 +153,18 @@ def projections(
     unit: str = "",
     thresholds: Thresholds | None = None,
     width: float = 9.0,
+    style: Style = STANDARD,
 ) -> Figure:
     """Return the side, back and top views of a surface at one scale, as the thesis's figures 4.35 to 4.38.
 
     The side view looks along +y, the back view along -x, the top view along -z.
     """
+    width = width / style.factor
     patches = several(surfaces)
     scene = scene or Scene(isolines=7)
     fields = facet_fields(patches, key, scene.cells, thresholds)
-    stretch = common_limits(fields)
+    stretch = common_limits(fields, style)
+    levels = levels_of(style, stretch)
     views = [replace(scene, view=view) for view in (SIDE, BACK, TOP)]
     box = bounds(patches, scene)
     columns = 3 if columns_for(width, 3, 3) == 3 else 1
@@ -157,12 +180,23 @@ def projections(
         note=note(patches, fields, unit, thresholds, share_outside(patches, box), zeros=scene.zeros),
         key="below" if fields else "none",
         key_size=key_height([fields], width),
+        style=style,
     )
     for area, view in zip(page.panels, views, strict=True):
-        draw_space(area.axes(), patches, view, fields=fields, stretch=stretch, unit=unit, box=box, point=point)
+        draw_space(
+            area.axes(),
+            patches,
+            view,
+            fields=fields,
+            stretch=stretch,
+            unit=unit,
+            box=box,
+            point=point,
+            levels=levels,
+        )
     if fields:
         draw_key(page.keys[0], fields, stretch, unit)
-    return page.figure
+    return style.finish(page.figure)
 
 
 def overlay(
@@ -173,20 +207,22 @@ def overlay(
     title: str = "",
     unit: str = "",
     width: float = 5.0,
+    style: Style = STANDARD,
 ) -> Figure:
     """Return several surfaces in one space, each translucent in its own colour, as the thesis's figures 2.4 and 2.5.
 
     The net of the scene is the first surface's.
     """
+    width = width / style.factor
     scene = scene or Scene()
     colours = [SERIES[i % len(SERIES)] for i in range(len(surfaces))]
     box = bounds(surfaces, scene)
     panel = panel_size(scene.view, *box, width - 0.2, scene.frame)
     text = note(surfaces, (), unit, None, share_outside(surfaces, box))
-    page = sheet(1, panel, title=title, note=text, key="below", key_size=list_height(labels, width))
+    page = sheet(1, panel, title=title, note=text, key="below", key_size=list_height(labels, width), style=style)
     draw_space(page.panels[0].axes(), surfaces, scene, colours=colours, opacity=0.6, unit=unit, box=box)
     draw_class_list(page.keys[0], "", labels, colours)
-    return page.figure
+    return style.finish(page.figure)
 
 
 def _union(boxes: Sequence[Box]) -> Box:

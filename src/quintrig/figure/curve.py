@@ -15,6 +15,7 @@ from quintrig.figure.legend import draw_class_list, list_height
 from quintrig.figure.palette import INK, SEQUENTIAL, SERIES
 from quintrig.figure.scene import Scene, Trace
 from quintrig.figure.sheet import Area, Axes, sheet
+from quintrig.figure.style import STANDARD, Style
 from quintrig.figure.whole import space_picture
 from quintrig.figure.wording import exponent, number_text, with_unit
 from quintrig.geometry.curve import Curve
@@ -27,12 +28,19 @@ _MARGIN = (0.62, 0.42, 0.08, 0.08)  # inches for numbers and names: left, bottom
 
 
 def basis_functions(
-    bases: Sequence[Functions], titles: Sequence[str] = (), *, title: str = "", columns: int = 2, width: float = 6.4
+    bases: Sequence[Functions],
+    titles: Sequence[str] = (),
+    *,
+    title: str = "",
+    columns: int = 2,
+    width: float = 6.4,
+    style: Style = STANDARD,
 ) -> Figure:
     """Return the basis functions f_0, f_1, ... over t, one panel for each basis, as the thesis's figure 2.1."""
+    width = width / style.factor
     columns = max(1, min(columns, len(bases)))
     each = (width - 0.2 - 0.12 * (columns - 1)) / columns
-    page = sheet(len(bases), (each, 0.68 * each), columns=columns, titles=titles, title=title)
+    page = sheet(len(bases), (each, 0.68 * each), columns=columns, titles=titles, title=title, style=style)
     t = np.linspace(0.0, 1.0, _SAMPLES)
     for area, basis in zip(page.panels, bases, strict=True):
         axes = _plot_axes(area)
@@ -56,7 +64,7 @@ def basis_functions(
         axes.set_xlim(0.0, 1.0)
         axes.set_ylim(min(0.0, 1.1 * float(values.min())), 1.12 * float(values.max()))
         _dress(axes, "$t$", "")
-    return page.figure
+    return style.finish(page.figure)
 
 
 def plane_curves(
@@ -69,12 +77,14 @@ def plane_curves(
     title: str = "",
     unit: str = "",
     width: float = 5.0,
+    style: Style = STANDARD,
 ) -> Figure:
     """Return plane curves in one picture, such as a family with varying α or ζ, as the thesis's figures 2.2 and 2.3.
 
     ``polygon`` draws each different control polygon with its points P_0, P_1, ..., ``hull`` their convex hull,
     ``comb`` the curvature combs, all to one scale. Raises ValueError for curves in space.
     """
+    width = width / style.factor
     if any(curve.points.shape[1] != 2 for curve in curves):
         raise ValueError("plane_curves: expected plane curves (n x 2 points), found one in space; use space_curves")
     combs = _combs(curves) if comb else []
@@ -90,7 +100,13 @@ def plane_curves(
     if comb:
         text += "; teeth of the comb point away from the centre of curvature, all to one scale"
     page = sheet(
-        1, panel, title=title, note=text, key="below" if labels else "none", key_size=list_height(labels, width)
+        1,
+        panel,
+        title=title,
+        note=text,
+        key="below" if labels else "none",
+        key_size=list_height(labels, width),
+        style=style,
     )
     axes = _plot_axes(page.panels[0])
     colours = family_colours(len(curves))
@@ -107,7 +123,7 @@ def plane_curves(
     _dress(axes, with_unit("x", unit, power), with_unit("y", unit, power), power)
     if labels:
         draw_class_list(page.keys[0], "", labels, colours)
-    return page.figure
+    return style.finish(page.figure)
 
 
 def space_curves(
@@ -119,6 +135,7 @@ def space_curves(
     title: str = "",
     unit: str = "",
     width: float = 5.0,
+    style: Style = STANDARD,
 ) -> Figure:
     """Return curves in space in one picture, with their control polygons. Raises ValueError for plane curves."""
     if any(curve.points.shape[1] != 3 for curve in curves):
@@ -132,7 +149,8 @@ def space_curves(
     if polygon:
         traces += [Trace(c.points, "", _POLYGON, 0.8, polygon=True) for c in _different(curves)]
     scene = scene or Scene()
-    return space_picture([], None, replace(scene, traces=(*scene.traces, *traces)), title=title, unit=unit, width=width)
+    drawn = replace(scene, traces=(*scene.traces, *traces))
+    return space_picture([], None, drawn, title=title, unit=unit, width=width, style=style)
 
 
 def curvature_plot(
@@ -142,8 +160,10 @@ def curvature_plot(
     title: str = "",
     unit: str = "",
     width: float = 5.0,
+    style: Style = STANDARD,
 ) -> Figure:
     """Return the curvature over t: signed, positive where the curve turns left, if all are plane curves."""
+    width = width / style.factor
     t = np.linspace(0.0, 1.0, _SAMPLES)
     signed = all(curve.points.shape[1] == 2 for curve in curves)
     values = [curve.signed_curvature(t) if signed else curve.curvature(t) for curve in curves]
@@ -157,6 +177,7 @@ def curvature_plot(
         note=note,
         key="below" if labels else "none",
         key_size=list_height(labels, width),
+        style=style,
     )
     axes = _plot_axes(page.panels[0])
     colours = family_colours(len(curves))
@@ -167,7 +188,7 @@ def curvature_plot(
     _dress(axes, "$t$", with_unit("curvature $\\kappa$", f"1/{unit}" if unit else "", power), 0, power)
     if labels:
         draw_class_list(page.keys[0], "", labels, colours)
-    return page.figure
+    return style.finish(page.figure)
 
 
 def draw_curve(axes: Axes, curve: Curve, colour: str = SERIES[0], comb: FloatArray | None = None) -> None:

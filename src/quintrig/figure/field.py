@@ -1,7 +1,7 @@
 """A quantity on a grid of a surface, ready to be coloured; its natural size, and the lines where it vanishes."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -9,11 +9,12 @@ from contourpy import LineType, contour_generator
 from numpy.typing import NDArray
 
 from quintrig.analysis.sample import Sample, analyse
-from quintrig.figure.palette import Limits, class_colours, limits, real_colours
+from quintrig.figure.palette import Limits, between, class_colours, limits, real_colours
+from quintrig.figure.style import STANDARD, Style
 from quintrig.geometry.surface import Surface
 from quintrig.quantities.classify import Thresholds
 from quintrig.quantities.table import Quantity, quantity
-from quintrig.support.arrays import FloatArray
+from quintrig.support.arrays import BoolArray, FloatArray
 from quintrig.support.tolerance import SAME_COLOUR
 
 
@@ -21,7 +22,8 @@ from quintrig.support.tolerance import SAME_COLOUR
 class Field:
     """Values (n, m) of one quantity at ``u`` (n,) and ``v`` (m,), and its natural ``scale`` on the surface.
 
-    What is within ``noise`` (n, m) of zero is rounding.
+    What is within ``noise`` (n, m) of zero is rounding. ``shades`` (n, m, 3) are the colours of classes, mixed where a
+    border runs through a cell, so that borders are smooth.
     """
 
     quantity: Quantity
@@ -30,6 +32,7 @@ class Field:
     values: NDArray[Any]
     scale: float
     noise: FloatArray
+    shades: FloatArray | None = None
 
     @property
     def undefined(self) -> NDArray[np.bool_]:
@@ -39,7 +42,7 @@ class Field:
     def colours(self, stretch: Limits | None) -> FloatArray:
         """Return RGB colours, shape (n, m, 3), of a real quantity between the limits, its own where None."""
         if self.quantity.colour == "classes":
-            return class_colours(self.values, self.quantity.key)
+            return class_colours(self.values, self.quantity.key) if self.shades is None else self.shades
         stretch = stretch or limits(self.values, self.quantity, self.scale)
         return real_colours(self.values, self.quantity, stretch)
 
@@ -75,8 +78,18 @@ def facet_fields(
         bad = corner[:-1, :-1] | corner[1:, :-1] | corner[1:, 1:] | corner[:-1, 1:]
         nothing = 0 if inner.quantity.colour == "classes" else np.nan
         values = np.where(bad, nothing, inner.values).astype(inner.values.dtype)
-        found.append(Field(inner.quantity, inner.u, inner.v, values, inner.scale, inner.noise))
+        shades = _shades(surface, key, cells, bad, thresholds) if inner.quantity.colour == "classes" else None
+        found.append(Field(inner.quantity, inner.u, inner.v, values, inner.scale, inner.noise, shades))
     return found
+
+
+def _shades(surface: Surface, key: str, cells: int, bad: BoolArray, thresholds: Thresholds | None) -> FloatArray:
+    """Return the mean colour of 4 x 4 points in each cell, that of no class where it is ``bad``."""
+    fine = (np.arange(4 * cells) + 0.5) / (4 * cells)
+    codes = analyse(surface, fine[:, None], fine[None, :], key, thresholds=thresholds)[key]
+    mixed = class_colours(codes, key).reshape(cells, 4, cells, 4, 3).mean(axis=(1, 3))
+    mixed[bad] = class_colours(np.zeros(1, dtype=np.int8), key)[0]
+    return mixed
 
 
 def natural_scale(sample: Sample, q: Quantity) -> float:
@@ -95,11 +108,31 @@ def natural_scale(sample: Sample, q: Quantity) -> float:
     return max(largest, 1.0 / sample.size) ** -q.power
 
 
-def common_limits(fields: Sequence[Field]) -> Limits | None:
-    """Return one stretch for all fields of one real quantity; None for classes, whose colours are fixed."""
+def common_limits(fields: Sequence[Field], style: Style = STANDARD) -> Limits | None:
+    """Return one stretch for all fields of one real quantity; None for classes, whose colours are fixed.
+
+    The ends are those that the style asks for, or such that a few extreme values do not spoil them.
+    """
     if not fields or fields[0].quantity.colour == "classes":
         return None
-    return limits([f.values for f in fields], fields[0].quantity, max(f.scale for f in fields))
+    values = np.concatenate([f.values.reshape(-1) for f in fields])
+    finite = values[np.isfinite(values)]
+    if style.limits is not None:
+        found = between(values, *style.limits)
+    elif style.percentiles is not None and finite.size and np.ptp(finite) > 0.0:
+        found = between(values, *(float(x) for x in np.percentile(finite, style.percentiles)))
+    else:
+        found = limits([f.values for f in fields], fields[0].quantity, max(f.scale for f in fields))
+    return replace(found, colours=style.colours)
+
+
+def levels_of(style: Style, stretch: Limits | None) -> tuple[float, ...]:
+    """Return the values at which contour lines are drawn: those asked for, or so many between the ends of the scale."""
+    if stretch is None:
+        return ()
+    if not isinstance(style.levels, int):
+        return style.levels
+    return tuple(np.linspace(stretch.low, stretch.high, style.levels + 2)[1:-1].tolist())
 
 
 def changes_sign(f: Field) -> bool:
@@ -112,9 +145,17 @@ def zero_lines(f: Field) -> list[FloatArray]:
     """Return the lines (n, 2) in (u, v) where a real quantity changes its sign; none where it is only rounding."""
     if not changes_sign(f):
         return []
-    signed = _signed(f)
-    masked = np.ma.masked_invalid(np.where(np.isfinite(signed), signed, np.nan))
-    drawn = contour_generator(f.v, f.u, masked, line_type=LineType.Separate).lines(0.0)
+    return _lines(f, _signed(f), 0.0)
+
+
+def level_lines(f: Field, level: float) -> list[FloatArray]:
+    """Return the lines (n, 2) in (u, v) where a real quantity has a value."""
+    return _lines(f, np.asarray(f.values, dtype=np.float64), level)
+
+
+def _lines(f: Field, values: FloatArray, level: float) -> list[FloatArray]:
+    masked = np.ma.masked_invalid(np.where(np.isfinite(values), values, np.nan))
+    drawn = contour_generator(f.v, f.u, masked, line_type=LineType.Separate).lines(level)
     return [np.asarray(line, dtype=np.float64)[:, ::-1] for line in drawn]
 
 

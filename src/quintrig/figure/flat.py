@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib import patheffects
 
 from quintrig.figure.edge import regression_parameters
-from quintrig.figure.field import Field, facet_fields, field, zero_lines
+from quintrig.figure.field import Field, facet_fields, field, level_lines, zero_lines
 from quintrig.figure.palette import INK, REGRESSION, UNDEFINED, Limits
 from quintrig.figure.scene import Mark
 from quintrig.figure.sheet import Area, Axes, drawable
@@ -37,8 +37,9 @@ def draw_map(
     stretch: Limits | None = None,
     marks: Sequence[Mark] = (),
     zeros: Zeros | None = None,
+    levels: Sequence[float] = (),
 ) -> None:
-    """Draw a quantity over (u, v): u to the right, v up.
+    """Draw a quantity over (u, v): u to the right, v up, with thin contour lines at the ``levels``.
 
     ``zeros`` are the lines of ``zero_sets``, dashed for H; those of this field where None. Undefined cells are grey,
     single undefined points on the edge have a grey mark.
@@ -52,6 +53,11 @@ def draw_map(
         for line in lines:
             style = (0, (4, 2)) if key == "mean" else "solid"
             axes.plot(line[:, 0], line[:, 1], color=INK, linewidth=0.9, linestyle=style, zorder=3)
+    if levels:
+        nodes = np.linspace(0.0, 1.0, 241)
+        fine = field(surface, f.quantity.key, nodes, nodes)
+        for line in (line for level in levels for line in level_lines(fine, level)):
+            axes.plot(line[:, 0], line[:, 1], color=INK, linewidth=0.45, zorder=2.5)
     for line in regression_parameters(surface):
         axes.plot(line[:, 0], line[:, 1], color=REGRESSION, linewidth=1.5, zorder=4)
     draw_marks(axes, marks)

@@ -108,11 +108,21 @@ def _upright_bar(area: Area, q: Quantity, stretch: Limits, unit: str) -> None:
     height = min(area.height * 0.72, 3.2)
     axes = area.inside(0.14, 0.5 * (area.height - height), 0.13, height)
     power = _bar(axes, q, stretch, "vertical")
-    axes.set_ylabel(quantity_label(q, unit, power), fontsize=_SIZE + 1.0, color=INK, labelpad=5.0)
+    label = quantity_label(q, unit, power)
+    axes.set_ylabel(label, fontsize=_SIZE + 1.0, color=INK, labelpad=5.0)
     axes.yaxis.set_label_position("right")
     if stretch.clipped_share > 0.0:
+        # Below the end of a name that is longer than the bar.
+        longer = max(0.5 * (0.5 * (_SIZE + 1.0) * len(label.replace("$", "")) / (72.0 * height) - 1.0), 0.0)
         axes.text(
-            0.5, -0.09, beyond(stretch), transform=axes.transAxes, fontsize=_SIZE - 0.5, color=INK, ha="left", va="top"
+            0.5,
+            -0.09 - longer,
+            beyond(stretch),
+            transform=axes.transAxes,
+            fontsize=_SIZE - 0.5,
+            color=INK,
+            ha="left",
+            va="top",
         )
 
 
@@ -136,7 +146,7 @@ def _bar(axes: Any, q: Quantity, stretch: Limits, orientation: str) -> int:
     """Draw the bar with pointed ends where values lie beyond, and return the power of ten taken out of its numbers."""
     ends = {(False, False): "neither", (True, False): "min", (False, True): "max", (True, True): "both"}
     bar = axes.figure.colorbar(
-        ScalarMappable(Normalize(stretch.low, stretch.high), colour_map(q)),
+        ScalarMappable(Normalize(stretch.low, stretch.high), colour_map(q, stretch.colours)),
         cax=axes,
         orientation=orientation,
         extend=ends[stretch.below > 0.0, stretch.above > 0.0],

@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from matplotlib import colormaps
 from matplotlib.colors import Colormap, LinearSegmentedColormap, to_rgb
 
 from quintrig.quantities.table import Quantity
@@ -82,12 +83,16 @@ SEQUENTIAL: Colormap = LinearSegmentedColormap.from_list(
 
 @dataclass(frozen=True)
 class Limits:
-    """The values at the ends of a colour map, and the shares of the finite values ``below`` and ``above`` them."""
+    """The values at the ends of a colour map, and the shares of the finite values ``below`` and ``above`` them.
+
+    ``colours`` names another map of matplotlib than the quantity's own.
+    """
 
     low: float
     high: float
     below: float = 0.0
     above: float = 0.0
+    colours: str = ""
 
     @property
     def clipped_share(self) -> float:
@@ -95,8 +100,10 @@ class Limits:
         return self.below + self.above
 
 
-def colour_map(quantity: Quantity) -> Colormap:
-    """Return the map of a real quantity: diverging for one with a sign, sequential for one without."""
+def colour_map(quantity: Quantity, name: str = "") -> Colormap:
+    """Return a map of matplotlib by name, else a quantity's own: diverging for one with a sign, else sequential."""
+    if name:
+        return colormaps[name].with_extremes(bad=UNDEFINED)
     return DIVERGING if quantity.colour == "diverging" else SEQUENTIAL
 
 
@@ -130,7 +137,7 @@ def between(values: FloatArray, low: float, high: float) -> Limits:
 def real_colours(values: FloatArray, quantity: Quantity, stretch: Limits) -> FloatArray:
     """Return the colours of values, shape (*values.shape, 3); grey where they are not finite."""
     share = (np.clip(values, stretch.low, stretch.high) - stretch.low) / (stretch.high - stretch.low)
-    rgba = colour_map(quantity)(np.ma.masked_invalid(np.where(np.isfinite(values), share, np.nan)))
+    rgba = colour_map(quantity, stretch.colours)(np.ma.masked_invalid(np.where(np.isfinite(values), share, np.nan)))
     return np.asarray(rgba, dtype=np.float64)[..., :3]
 
 

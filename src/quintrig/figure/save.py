@@ -1,4 +1,4 @@
-"""Figures to bytes and files: PNG, SVG and PDF, the same bytes each time from the same figure."""
+"""Figures to bytes and files: PNG, SVG, PDF and EPS, the same bytes each time from the same figure."""
 
 import io
 from pathlib import Path
@@ -11,16 +11,20 @@ from quintrig.figure.sheet import ONE_AT_A_TIME
 from quintrig.support.errors import QuintrigError
 from quintrig.support.files import write_whole
 
-KINDS = ("png", "svg", "pdf")
+KINDS = ("png", "svg", "pdf", "eps")
 """Kinds of file, by suffix."""
 
 DPI = 200
 """Dots per inch of PNG files and of the shaded surfaces inside SVG and PDF."""
 
+_SETTINGS = {"svg.hashsalt": "quintrig", "svg.fonttype": "path", "pdf.fonttype": 42, "ps.fonttype": 42}
+"""Fonts in PDF and EPS are TrueType: publishers refuse matplotlib's usual Type 3."""
+
 _UNDATED: dict[str, dict[str, None]] = {
     "png": {"Software": None},
     "svg": {"Date": None},
     "pdf": {"CreationDate": None},
+    "eps": {},
 }
 
 
@@ -38,21 +42,20 @@ def kind_of(path: str | Path) -> str:
     suffix = Path(path).suffix.lower()
     if suffix.removeprefix(".") not in KINDS:
         found = f"the suffix {suffix!r}" if suffix else "no suffix"
-        raise QuintrigError(
-            f"{path}: expected a file name ending in .png, .svg or .pdf, found {found}; choose one of the three"
-        )
+        known = ", ".join(f".{kind}" for kind in KINDS)
+        raise QuintrigError(f"{path}: expected a file name ending in {known}, found {found}; choose one of them")
     return suffix.removeprefix(".")
 
 
 def to_bytes(figure: Figure, kind: str, dpi: int = DPI) -> bytes:
-    """Return a figure as a file's content; ``kind`` is png, svg or pdf."""
+    """Return a figure as a file's content; ``kind`` is png, svg, pdf or eps."""
     if kind not in KINDS:
-        raise ValueError(f"kind: expected png, svg or pdf, found {kind!r}")
+        raise ValueError(f"kind: expected {', '.join(KINDS)}, found {kind!r}")
     buffer = io.BytesIO()
     drawn: Any = figure  # its stubs leave arguments untyped
     library: Any = matplotlib
     # The lock also guards matplotlib's global settings, through which identifiers in SVG are set.
-    with ONE_AT_A_TIME, library.rc_context({"svg.hashsalt": "quintrig", "svg.fonttype": "path"}):
+    with ONE_AT_A_TIME, library.rc_context(_SETTINGS):
         drawn.savefig(buffer, format=kind, dpi=dpi, metadata=_UNDATED[kind])
     return buffer.getvalue()
 

@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.mathtext import MathTextParser
 
 from quintrig.figure.palette import INK
+from quintrig.figure.style import STANDARD, Style
 
 _FORMULA = re.compile(r"(?<!\\)\$[^$\n]+(?<!\\)\$")
 _HOLD = "\x1f"  # stands for a space at which no line may end
@@ -69,12 +70,16 @@ def sheet(
     note: str = "",
     key: KeyPlace = "none",
     key_size: float = 0.55,
+    style: Style = STANDARD,
 ) -> Sheet:
     """Lay out ``count`` panels of ``panel`` inches; ``widths`` gives each column its own width.
+
+    The ``style`` says whether the title and the note are set; titles of panels stay, which tell them apart.
 
     ``key`` puts one key to the right or below, or one below each panel; ``key_size`` is its width or height in inches.
     """
     columns = max(1, min(columns, count))
+    title, note = title if style.title else "", note if style.caption else ""
     rows = -(-count // columns)
     gap = 0.12
     head = 0.24 if any(titles) else 0.0

@@ -9,7 +9,7 @@ from matplotlib.colors import to_rgb
 from matplotlib.path import Path
 
 from quintrig.figure.edge import regression_lines
-from quintrig.figure.field import Field, field, zero_lines
+from quintrig.figure.field import Field, field, level_lines, zero_lines
 from quintrig.figure.frame import Stage, box_outline, draw_frame, set_stage
 from quintrig.figure.markup import STROKE, draw_dots, draw_marks, draw_net, draw_normal, draw_point
 from quintrig.figure.palette import INK, REGRESSION, Limits
@@ -35,12 +35,13 @@ def draw_space(
     unit: str = "",
     box: Box | None = None,
     point: float | None = None,
+    levels: Sequence[float] = (),
 ) -> Stage:
     """Draw surfaces on axes, seen in parallel projection at one scale in all directions.
 
     ``fields`` (from ``facet_fields``) colour them by a quantity, ``colours`` each in one colour; without either, the
     side of the normal and the back have two colours. ``box`` fixes what is framed and ``point`` the length¹ of a
-    printer's point, for pictures side by side.
+    printer's point, for pictures side by side. Thin contour lines run along the ``levels`` of what is shown.
     """
     scene = scene or Scene()
     low, high = box or bounds(surfaces, scene)
@@ -57,7 +58,7 @@ def draw_space(
         meshes.append(scene.view.project(mesh))
         rgb = f.colours(stretch) if f else np.tile(to_rgb(colour), (cells, cells, 1)) if colour else None
         layer = [facets(mesh, scene.view, rgb, surface.sign, inside(mesh, (low, high)), readable=f is not None)]
-        lines = _lines_on(surface, mesh, scene, stage, f, colour if opacity < 1.0 else _RIM)
+        lines = _lines_on(surface, mesh, scene, stage, f, colour if opacity < 1.0 else _RIM, levels)
         if opacity < 1.0:
             _paint(stage, joined(layer), opacity)
             paints += lines
@@ -85,8 +86,10 @@ def draw_space(
     return stage
 
 
-def _lines_on(surface: Surface, mesh: FloatArray, scene: Scene, stage: Stage, f: Field | None, rim: str) -> list[Paint]:
-    """Return boundary, iso-lines, zero lines and edge of regression, lifted just clear of the facets."""
+def _lines_on(
+    surface: Surface, mesh: FloatArray, scene: Scene, stage: Stage, f: Field | None, rim: str, levels: Sequence[float]
+) -> list[Paint]:
+    """Return boundary, iso-lines, zero lines, contours and edge of regression, lifted just clear of the facets."""
     lift = 1.2 * _facet_size(mesh)
     step = STROKE * stage.point
     box = (stage.low, stage.high)
@@ -101,6 +104,11 @@ def _lines_on(surface: Surface, mesh: FloatArray, scene: Scene, stage: Stage, f:
         for line in zero_lines(field(surface, f.quantity.key, fine, fine)):
             path = _cut(surface(line[:, 0], line[:, 1]), box)
             paints.append(strokes(path, scene.view, INK, 1.1, step, lift, dashed))
+    if levels and f is not None:
+        nodes = np.linspace(0.0, 1.0, 241)
+        fine = field(surface, f.quantity.key, nodes, nodes)
+        for line in (line for level in levels for line in level_lines(fine, level)):
+            paints.append(strokes(_cut(surface(line[:, 0], line[:, 1]), box), scene.view, INK, 0.5, step, lift))
     if scene.regression:
         for line in regression_lines(surface):
             paints.append(strokes(_cut(line, box), scene.view, REGRESSION, 1.8, step, lift))

@@ -5,13 +5,14 @@ from dataclasses import replace
 
 from matplotlib.figure import Figure
 
-from quintrig.figure.field import common_limits, facet_fields
+from quintrig.figure.field import common_limits, facet_fields, levels_of
 from quintrig.figure.flat import draw_map, lines_note, map_axes, map_fields, zero_sets
 from quintrig.figure.frame import panel_size
 from quintrig.figure.legend import draw_class_list, draw_key, key_height, key_width
 from quintrig.figure.scene import Mark, Scene, bounds, share_outside
 from quintrig.figure.sheet import KeyPlace, columns_for, sheet
 from quintrig.figure.space import draw_space
+from quintrig.figure.style import STANDARD, Style
 from quintrig.figure.wording import note, quantity_label
 from quintrig.geometry.surface import Surface
 from quintrig.quantities.classify import Thresholds
@@ -27,28 +28,40 @@ def space_picture(
     unit: str = "",
     thresholds: Thresholds | None = None,
     width: float = 6.4,
+    style: Style = STANDARD,
 ) -> Figure:
     """Return one picture in space of a surface, or of several patches, coloured by a quantity or plain.
 
     On a plain one, the labels of the scene's traces are listed below.
     """
+    width = width / style.factor
     patches = several(surfaces)
     scene = scene or Scene(normal=key is None)
     fields = facet_fields(patches, key, scene.cells, thresholds)
-    stretch = common_limits(fields)
+    stretch = common_limits(fields, style)
+    levels = levels_of(style, stretch)
     named = [trace for trace in scene.traces if trace.label]
     place: KeyPlace = "right" if fields else "below" if named else "none"
     key_size = 0.4 if place == "below" else key_width(fields)
     box = bounds(patches, scene)
     panel = panel_size(scene.view, *box, width - 0.2 - (key_size if place == "right" else 0.0), scene.frame)
     text = note(patches, fields, unit, thresholds, share_outside(patches, box), zeros=scene.zeros)
-    page = sheet(1, panel, title=title, note=text, key=place, key_size=key_size)
-    draw_space(page.panels[0].axes(), patches, scene, fields=fields, stretch=stretch, unit=unit, box=box)
+    page = sheet(1, panel, title=title, note=text, key=place, key_size=key_size, style=style)
+    draw_space(
+        page.panels[0].axes(),
+        patches,
+        scene,
+        fields=fields,
+        stretch=stretch,
+        unit=unit,
+        box=box,
+        levels=levels,
+    )
     if fields:
         draw_key(page.keys[0], fields, stretch, unit)
     elif named:
         draw_class_list(page.keys[0], "", [trace.label for trace in named], [trace.colour for trace in named])
-    return page.figure
+    return style.finish(page.figure)
 
 
 def flat_map(
@@ -60,18 +73,21 @@ def flat_map(
     unit: str = "",
     thresholds: Thresholds | None = None,
     width: float = 5.0,
+    style: Style = STANDARD,
 ) -> Figure:
     """Return one map of a quantity over (u, v)."""
+    width = width / style.factor
     fields = map_fields([surface], key, thresholds=thresholds)
-    stretch = common_limits(fields)
+    stretch = common_limits(fields, style)
+    levels = levels_of(style, stretch)
     key_size = key_width(fields)
     side = width - key_size - 0.2
     zeros = zero_sets(surface, fields[0])
     text = _sentence(note([surface], fields, unit, thresholds), lines_note([zeros]))
-    page = sheet(1, (side, side), title=title, note=text, key="right", key_size=key_size)
-    draw_map(map_axes(page.panels[0]), surface, fields[0], stretch, marks, zeros)
+    page = sheet(1, (side, side), title=title, note=text, key="right", key_size=key_size, style=style)
+    draw_map(map_axes(page.panels[0]), surface, fields[0], stretch, marks, zeros, levels)
     draw_key(page.keys[0], fields, stretch, unit)
-    return page.figure
+    return style.finish(page.figure)
 
 
 def panels(
@@ -84,12 +100,14 @@ def panels(
     thresholds: Thresholds | None = None,
     columns: int = 3,
     width: float = 9.0,
+    style: Style = STANDARD,
 ) -> Figure:
     """Return one surface coloured by several quantities, each with its own key; None is the plain surface.
 
     Without ``keys`` it is the triptych surface, K, H of the thesis's figures 4.3 to 4.32. Net, marks, traces and
     normal of the scene are drawn on the plain panel only, or on every panel where there is no plain one.
     """
+    width = width / style.factor
     patches = several(surfaces)
     scene = scene or Scene(normal=None in keys)
     columns = columns_for(width, len(keys), columns)
@@ -106,15 +124,26 @@ def panels(
         note=note(patches, drawn, unit, thresholds, share_outside(patches, box), zeros=scene.zeros),
         key="each" if drawn else "none",
         key_size=key_height(every, panel[0]),
+        style=style,
     )
     bare = replace(scene, net=False, marks=(), traces=(), normal=False) if None in keys else scene
     for index, (key, fields) in enumerate(zip(keys, every, strict=True)):
-        stretch = common_limits(fields)
+        stretch = common_limits(fields, style)
+        levels = levels_of(style, stretch)
         here = scene if key is None else bare
-        draw_space(page.panels[index].axes(), patches, here, fields=fields, stretch=stretch, unit=unit, box=box)
+        draw_space(
+            page.panels[index].axes(),
+            patches,
+            here,
+            fields=fields,
+            stretch=stretch,
+            unit=unit,
+            box=box,
+            levels=levels,
+        )
         if fields:
             draw_key(page.keys[index], fields, stretch, unit)
-    return page.figure
+    return style.finish(page.figure)
 
 
 def map_panels(
@@ -127,8 +156,10 @@ def map_panels(
     thresholds: Thresholds | None = None,
     columns: int = 3,
     width: float = 9.0,
+    style: Style = STANDARD,
 ) -> Figure:
     """Return maps of several quantities over (u, v), each with its own key."""
+    width = width / style.factor
     every = [map_fields([surface], key, thresholds=thresholds) for key in keys]
     columns = columns_for(width, len(keys), columns)
     side = (width - 0.2 - 0.12 * (columns - 1)) / columns
@@ -143,12 +174,14 @@ def map_panels(
         note=_sentence(note([surface], drawn, unit, thresholds), lines_note(zeros)),
         key="each",
         key_size=key_height(every, side),
+        style=style,
     )
     for index, fields in enumerate(every):
-        stretch = common_limits(fields)
-        draw_map(map_axes(page.panels[index]), surface, fields[0], stretch, marks, zeros[index])
+        stretch = common_limits(fields, style)
+        levels = levels_of(style, stretch)
+        draw_map(map_axes(page.panels[index]), surface, fields[0], stretch, marks, zeros[index], levels)
         draw_key(page.keys[index], fields, stretch, unit)
-    return page.figure
+    return style.finish(page.figure)
 
 
 def several(surfaces: Surface | Sequence[Surface]) -> list[Surface]:

@@ -55,7 +55,7 @@ def plain(text: str) -> str:
 
 def with_unit(name: str, unit: str, power: int = 0) -> str:
     """Return a name with its unit and the power of ten taken out, such as ``x (10⁻³ mm)``."""
-    ten = f"10{str(power).translate(_RAISED)}" if power else ""
+    ten = f"$10^{{{power}}}$" if power else ""
     inside = f"{ten} {plain(unit)}".strip() if unit else (f"× {ten}" if ten else "")
     return f"{name} ({inside})" if inside else name
 

@@ -240,13 +240,24 @@ CLASSES: tuple[str, ...] = tuple(q.key for q in QUANTITIES if q.colour == "class
 """Keys of the classifications, stored as int8 codes."""
 
 
-def quantity(key: str) -> Quantity:
-    """Return the row of a key; ValueError with the key of that symbol or the nearest known key."""
-    if key not in BY_KEY:
-        symbols = {q.symbol: f"; did you mean {q.key!r}?" for q in QUANTITIES}
-        hint = symbols.get(key) or symbols.get(key.upper()) or nearest(key, BY_KEY)
-        raise ValueError(f"unknown quantity {key!r}{hint}; known are {', '.join(BY_KEY)}")
-    return BY_KEY[key]
+_GREEK = str.maketrans({"κ": "kappa", "β": "beta", "γ": "gamma", **{c: str(i) for i, c in enumerate("₀₁₂₃")}})
+
+
+def _spelled(symbol: str) -> str:
+    """Return a symbol as one types it: κ1, κ₁ and kappa_1 are one, with braces and backslashes of LaTeX or without."""
+    return symbol.strip().translate(_GREEK).translate(dict.fromkeys(map(ord, "\\_{}")))
+
+
+_BY_SYMBOL = {_spelled(symbol): q for q in reversed(QUANTITIES) for symbol in (q.latex, q.symbol)}
+
+
+def quantity(name: str) -> Quantity:
+    """Return the row of a key or a symbol such as K, κ1, β0 or beta_0; ValueError with the nearest names."""
+    found = BY_KEY.get(name) or _BY_SYMBOL.get(_spelled(name)) or BY_KEY.get(name.lower())
+    if found is None:
+        hint = nearest(name, [*BY_KEY, *(q.symbol for q in QUANTITIES)]) or f"; such as {', '.join([*BY_KEY][:6])}"
+        raise ValueError(f"unknown quantity {name!r}{hint}")
+    return found
 
 
 def mirrored(key: str, code: int) -> int:

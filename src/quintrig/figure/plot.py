@@ -1,0 +1,223 @@
+"""``quintrig.plot``: one function for a picture of anything that has one."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from quintrig.analysis.sample import Sample
+from quintrig.figure.beside import projections
+from quintrig.figure.camera import ISO, VIEWS, View
+from quintrig.figure.curve import curvature_plot, plane_curves, space_curves
+from quintrig.figure.field import Field, common_limits, facet_fields, levels_of, natural_scale
+from quintrig.figure.flat import draw_map, map_axes, map_fields
+from quintrig.figure.legend import draw_key, key_width
+from quintrig.figure.save import save as write
+from quintrig.figure.scene import Mark, Scene
+from quintrig.figure.sheet import sheet
+from quintrig.figure.space import draw_space
+from quintrig.figure.style import Style, changed, inches, style_named
+from quintrig.figure.whole import flat_map, map_panels, panels, space_picture
+from quintrig.geometry.curve import Curve
+from quintrig.geometry.surface import Surface
+from quintrig.model.model import Model, Patch
+from quintrig.quantities.table import quantity as row
+from quintrig.support.tolerance import SAME_COLOUR
+
+Subject = Surface | Patch | Model | Curve | Sample | Sequence[Curve]
+ViewName = str | tuple[float, float]
+
+
+@dataclass(frozen=True)
+class _Page:
+    """What is the same whatever is drawn; ``width`` in inches, None for the usual one."""
+
+    heading: str
+    unit: str
+    style: Style
+    width: float | None
+
+
+def plot(
+    subject: Subject,
+    quantity: str | Sequence[str] = "surface",
+    *,
+    view: ViewName = "iso",
+    net: bool = False,
+    lines: int = 7,
+    at: Sequence[tuple[float, float]] = (),
+    unit: str = "",
+    heading: str = "",
+    style: str | Style = "standard",
+    title: bool | None = None,
+    caption: bool | None = None,
+    limits: tuple[float, float] | None = None,
+    percentiles: tuple[float, float] | None = None,
+    colours: str | None = None,
+    levels: int | Sequence[float] | None = None,
+    font: str | None = None,
+    size: float | None = None,
+    width: float | str | None = None,
+    axes: Any = None,
+    save: str | Path | None = None,
+) -> Figure:
+    """Return a picture of a surface, patch, model, curve, several curves or a sample, as a matplotlib figure.
+
+    ``quantity`` is a key or symbol of the table, several for pictures side by side, "surface" for the plain one; for
+    curves "curve", "comb" or "curvature". ``view`` is iso, side, back, top, all, flat (a map over u and v) or (azimuth,
+    elevation) in degrees. ``net`` draws the control net or polygon, ``lines`` so many parameter lines each way, ``at``
+    marks parameters. ``unit`` and ``heading`` are those of a model where it is one. ``style`` is "standard", "journal"
+    or a ``Style``, of which title, caption, limits, percentiles, colours, levels, font and size (points) change what
+    they name. ``width`` is in inches, or "84 mm", "column", "page". With ``axes`` of matplotlib the picture alone is
+    drawn there. ``save`` writes a .png, .svg, .pdf or .eps. Raises ValueError for what cannot be drawn.
+    """
+    chosen = changed(
+        style_named(style) if isinstance(style, str) else style,
+        title=title,
+        caption=caption,
+        limits=limits,
+        percentiles=percentiles,
+        colours=colours,
+        levels=levels if levels is None or isinstance(levels, int) else tuple(levels),
+        font=font,
+        size=size,
+    )
+    names = [quantity] if isinstance(quantity, str) else list(quantity)
+    page = _Page(heading, unit, chosen, None if width is None else inches(width))
+    if isinstance(subject, Sample):
+        figure = _of_sample(subject, names, page, axes)
+    elif isinstance(subject, Surface | Patch | Model):
+        surfaces, page = _surfaces(subject, page)
+        keys = [None if name == "surface" else row(name).key for name in names]
+        marks = tuple(Mark(u, v, f"P{i + 1}" if len(at) > 1 else "P") for i, (u, v) in enumerate(at))
+        normal = None in keys and view != "all"
+        scene = Scene(read_view(view), net=net, isolines=lines, marks=marks, normal=normal)
+        if axes is not None:
+            figure = _on_axes(axes, surfaces, keys, scene, view, page)
+        elif view == "flat":
+            figure = _flat(surfaces, keys, marks, page)
+        else:
+            figure = _space(surfaces, keys, view, scene, page)
+    else:
+        figure = _of_curves([subject] if isinstance(subject, Curve) else list(subject), names, net, page)
+    if save is not None:
+        write(figure, save)
+    return figure
+
+
+def read_view(view: ViewName) -> View:
+    """Return a view by its name or as (azimuth, elevation) in degrees; ValueError for others."""
+    if isinstance(view, str):
+        if view in ("all", "flat"):
+            return ISO
+        if view not in VIEWS:
+            names = ", ".join([*VIEWS, "all", "flat"])
+            raise ValueError(f"view: expected {names} or (azimuth, elevation), got {view!r}")
+        return VIEWS[view]
+    azimuth, elevation = view
+    if not (-360.0 <= azimuth <= 360.0 and -90.0 <= elevation <= 90.0):
+        raise ValueError(f"view: expected an azimuth within ±360 and an elevation within ±90 degrees, got {view}")
+    return View(f"view from azimuth {azimuth:g}°, elevation {elevation:g}°", azimuth, elevation)
+
+
+def _surfaces(subject: Surface | Patch | Model, page: _Page) -> tuple[list[Surface], _Page]:
+    if isinstance(subject, Surface):
+        return [subject], page
+    unit = page.unit or (subject.unit if isinstance(subject, Model) else "")
+    named = _Page(page.heading or subject.name, unit, page.style, page.width)
+    patches = subject.patches if isinstance(subject, Model) else (subject,)
+    return [patch.surface for patch in patches], named
+
+
+def _flat(surfaces: Sequence[Surface], keys: Sequence[str | None], marks: tuple[Mark, ...], page: _Page) -> Figure:
+    wanted = [key for key in keys if key is not None]
+    if not wanted:
+        raise ValueError("quantity: a flat map needs one, such as gaussian")
+    if len(surfaces) > 1:
+        raise ValueError(f"a flat map shows one surface, found {len(surfaces)}; choose a patch of the model")
+    surface, width, title, style = surfaces[0], page.width, page.heading, page.style
+    if len(wanted) == 1:
+        return flat_map(surface, wanted[0], marks=marks, title=title, unit=page.unit, width=width or 5.0, style=style)
+    return map_panels(surface, wanted, marks=marks, title=title, unit=page.unit, width=width or 9.0, style=style)
+
+
+def _space(
+    surfaces: Sequence[Surface], keys: Sequence[str | None], view: ViewName, scene: Scene, page: _Page
+) -> Figure:
+    title, unit, style = page.heading, page.unit, page.style
+    if view == "all":
+        if len(keys) > 1:
+            raise ValueError("quantity: expected one for all views, got several")
+        return projections(surfaces, keys[0], scene, title=title, unit=unit, width=page.width or 9.0, style=style)
+    if len(keys) == 1:
+        return space_picture(surfaces, keys[0], scene, title=title, unit=unit, width=page.width or 6.4, style=style)
+    return panels(surfaces, keys, scene, title=title, unit=unit, width=page.width or 9.0, style=style)
+
+
+def _on_axes(
+    axes: Any, surfaces: Sequence[Surface], keys: Sequence[str | None], scene: Scene, view: ViewName, page: _Page
+) -> Figure:
+    """Draw one picture on axes that are there."""
+    if len(keys) != 1 or view == "all":
+        raise ValueError("axes: expected one quantity and one view, got several")
+    key, style = keys[0], page.style
+    if view == "flat":
+        if key is None or len(surfaces) != 1:
+            raise ValueError("axes: a flat map shows one quantity of one surface")
+        fields = map_fields(surfaces, key)
+        stretch = common_limits(fields, style)
+        draw_map(axes, surfaces[0], fields[0], stretch, scene.marks, levels=levels_of(style, stretch))
+        return axes.figure
+    fields = facet_fields(surfaces, key, scene.cells)
+    stretch = common_limits(fields, style)
+    levels = levels_of(style, stretch)
+    draw_space(axes, surfaces, scene, fields=fields, stretch=stretch, unit=page.unit, levels=levels)
+    return axes.figure
+
+
+def _of_sample(sample: Sample, names: Sequence[str], page: _Page, axes: Any) -> Figure:
+    """Draw the values of a sample on a grid as a map over the parameters, with nothing computed anew."""
+    u, v, style = sample.u, sample.v, page.style
+    on_grid = u.ndim == v.ndim == 2 and u.shape[1] == v.shape[0] == 1
+    if not on_grid or len(names) != 1 or names[0] == "surface":
+        raise ValueError(
+            "a sample is drawn as a map of one quantity on a grid, such as plot(analyse(surface, *grid(60, 60)), "
+            "'gaussian'); plot(surface, ...) draws the others"
+        )
+    q = row(names[0])
+    if q.components > 1:
+        raise ValueError(f"quantity: {q.key!r} is a vector, which no colour shows")
+    values = sample[q.key]
+    finite = np.abs(values[np.isfinite(values)].astype(np.float64))
+    scale = natural_scale(sample, q) if "curvedness" in sample.values else float(finite.max(initial=0.0))
+    field = Field(q, u[:, 0], v[0], values, scale, np.full(sample.shape, SAME_COLOUR * scale))
+    stretch = common_limits([field], style)
+    if axes is not None:
+        draw_map(axes, sample.surface, field, stretch, zeros={})
+        return axes.figure
+    key_size = key_width([field])
+    side = (page.width or 5.0) / style.factor - key_size - 0.2
+    drawn = sheet(1, (side, side), title=page.heading, key="right", key_size=key_size, style=style)
+    draw_map(map_axes(drawn.panels[0]), sample.surface, field, stretch, zeros={})
+    draw_key(drawn.keys[0], [field], stretch, page.unit)
+    return style.finish(drawn.figure)
+
+
+def _of_curves(curves: Sequence[Curve], names: Sequence[str], polygon: bool, page: _Page) -> Figure:
+    if not curves:
+        raise ValueError("curves: expected at least one")
+    what = "curve" if list(names) == ["surface"] else names[0]
+    width, title, unit, style = page.width or 5.0, page.heading, page.unit, page.style
+    if what == "curvature":
+        return curvature_plot(curves, title=title, unit=unit, width=width, style=style)
+    if what not in ("curve", "comb"):
+        raise ValueError(f"quantity: expected curve, comb or curvature for a curve, got {what!r}")
+    if all(curve.points.shape[1] == 2 for curve in curves):
+        comb = what == "comb"
+        return plane_curves(
+            curves, polygon=polygon or not comb, comb=comb, title=title, unit=unit, width=width, style=style
+        )
+    return space_curves(curves, title=title, unit=unit, width=width, style=style)

@@ -1,0 +1,156 @@
+"""How figures look: texts, fonts, sizes, colours and levels, asked for by the one who publishes them."""
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from typing import Any
+
+import matplotlib
+from matplotlib.figure import Figure
+from matplotlib.font_manager import get_font_names
+from matplotlib.text import Text
+
+from quintrig.support.errors import nearest
+
+POINTS = 7.5
+"""Size in points of the numbers on figures; titles and names are in proportion."""
+
+COLUMNS = {"column": 84.0, "page": 174.0}
+"""Widths in millimetres of one and of two columns, as most journals set them."""
+
+_SERIF = {"serif", "times", "times new roman", "stixgeneral"}
+
+
+@dataclass(frozen=True)
+class Style:
+    """What is the same in every figure of a paper.
+
+    ``title`` and ``caption`` say whether titles and the note below are drawn. ``font`` is a family, empty for the usual
+    one; ``size`` that of numbers in points. ``limits`` are the ends of colour scales, or ``percentiles`` of the values
+    to stretch them between; ``colours`` names a matplotlib colour map for quantities that are numbers. ``levels`` are
+    contour lines: how many, or at which values.
+    """
+
+    title: bool = True
+    caption: bool = True
+    font: str = ""
+    size: float = POINTS
+    limits: tuple[float, float] | None = None
+    percentiles: tuple[float, float] | None = None
+    colours: str = ""
+    levels: int | tuple[float, ...] = 0
+
+    def __post_init__(self) -> None:
+        """Check once, at birth; ValueError in one line."""
+        if self.limits is not None and not self.limits[0] < self.limits[1]:
+            raise ValueError(f"limits: expected two rising numbers, found {self.limits[0]:g} and {self.limits[1]:g}")
+        if self.percentiles is not None and not 0.0 <= self.percentiles[0] < self.percentiles[1] <= 100.0:
+            low, high = self.percentiles
+            raise ValueError(f"percentiles: expected two rising numbers from 0 to 100, found {low:g} and {high:g}")
+        if self.limits is not None and self.percentiles is not None:
+            raise ValueError("limits and percentiles: expected one of them, found both")
+        if not 4.0 <= self.size <= 24.0:
+            raise ValueError(f"size: expected 4 to 24 points, found {self.size:g}")
+        if self.colours and self.colours not in matplotlib.colormaps:
+            known = nearest(self.colours, matplotlib.colormaps)
+            raise ValueError(f"colours: no colour map of matplotlib is called {self.colours!r}{known}")
+        if isinstance(self.levels, int):
+            if not 0 <= self.levels <= 100:
+                raise ValueError(f"levels: expected 0 to 100 lines, found {self.levels}")
+        elif any(not a < b for a, b in pairwise(self.levels)):
+            raise ValueError(f"levels: expected rising values, found {', '.join(f'{x:g}' for x in self.levels)}")
+
+    @property
+    def factor(self) -> float:
+        """How much larger than usual letters and lines are."""
+        return self.size / POINTS
+
+    def finish(self, figure: Figure) -> Figure:
+        """Set the fonts of a figure, and enlarge it with all that is on it by ``factor``."""
+        if self.font:
+            family = [self.font, "DejaVu Sans"]
+            formulas = "stix" if self.font.lower() in _SERIF else "dejavusans"
+            for text in _texts(figure):
+                text.set_fontfamily(family)
+                text.set_math_fontfamily(formulas)
+        if self.factor != 1.0:
+            _enlarge(figure, self.factor)
+        return figure
+
+
+STANDARD = Style()
+"""The usual look, for the screen."""
+
+JOURNAL = Style(title=False, caption=False, font="STIXGeneral", size=8.0)
+"""A serif face that goes with Times, no titles and no notes: the caption in the text says it all."""
+
+STYLES = {"standard": STANDARD, "journal": JOURNAL}
+
+
+def style_named(name: str) -> Style:
+    """Return a style by its name; ValueError naming those there are."""
+    if name not in STYLES:
+        raise ValueError(f"style: expected {' or '.join(STYLES)}, found {name!r}")
+    return STYLES[name]
+
+
+def changed(style: Style, **changes: Any) -> Style:
+    """Return a style with those changes that are not None; ValueError also for a font that is not installed."""
+    found = replace(style, **{name: value for name, value in changes.items() if value is not None})
+    if found.font:
+        _require(found.font)
+    return found
+
+
+def inches(width: float | str) -> float:
+    """Return a width in inches: a number of inches, ``84 mm``, ``8.4 cm``, ``3.3 in``, ``column`` or ``page``.
+
+    Raises ValueError for other words, and for what is not between 1 and 20 inches.
+    """
+    found = re.fullmatch(r"\s*([0-9]+(?:\.[0-9]*)?)\s*(mm|cm|in|pt|)\s*", str(width))
+    if isinstance(width, str) and width in COLUMNS:
+        value = COLUMNS[width] / 25.4
+    elif found:
+        value = float(found[1]) / {"mm": 25.4, "cm": 2.54, "in": 1.0, "pt": 72.0, "": 1.0}[found[2]]
+    else:
+        raise ValueError(f"width: expected a length such as 84mm or 6.4in, {' or '.join(COLUMNS)}, found {width!r}")
+    if not 1.0 <= value <= 20.0:
+        raise ValueError(f"width: expected 1 to 20 inches (25 to 508 mm), found {value:.3g} inches")
+    return value
+
+
+def _require(font: str) -> None:
+    names = sorted(set(get_font_names()))
+    if font.lower() not in {*(name.lower() for name in names), "serif", "sans-serif", "monospace"}:
+        hint = nearest(font, names) or f"; there are {', '.join(names[:8])} and {len(names) - 8} more"
+        raise ValueError(f"font: {font!r} is not installed{hint}")
+
+
+def _texts(figure: Any) -> Sequence[Any]:
+    return figure.findobj(Text)
+
+
+def _enlarge(figure: Figure, factor: float) -> None:
+    """Make a figure larger with its letters, lines and marks; axes keep their places on it."""
+    drawn: Any = figure
+    for text in _texts(figure):
+        text.set_fontsize(text.get_fontsize() * factor)
+    for axes in drawn.axes:
+        for axis in (axes.xaxis, axes.yaxis):
+            ticks = axis.get_major_ticks()
+            if ticks:
+                size = ticks[0].label1.get_fontsize()
+                length, pad = ticks[0].tick1line.get_markersize(), ticks[0].get_pad()
+                axis.set_tick_params(labelsize=size, length=length * factor, pad=pad * factor)
+            axis.labelpad *= factor
+        for spine in axes.spines.values():
+            spine.set_linewidth(spine.get_linewidth() * factor)
+        for line in axes.lines:
+            line.set_linewidth(line.get_linewidth() * factor)
+            line.set_markersize(line.get_markersize() * factor)
+        for collection in axes.collections:
+            collection.set_linewidths([width * factor for width in collection.get_linewidths()])
+            if hasattr(collection, "set_sizes"):
+                collection.set_sizes([size * factor**2 for size in collection.get_sizes()])
+    drawn.set_size_inches(*(factor * side for side in drawn.get_size_inches()))
