@@ -246,8 +246,8 @@ def test_ticks_read_as_people_write_them(values, power, texts):
     ("key", "unit", "power", "label"),
     [
         ("gaussian", "mm", 0, "Gaussian curvature $K$ (1/mm²)"),
-        ("gaussian", "mm", -6, "Gaussian curvature $K$ (10⁻⁶ 1/mm²)"),
-        ("gaussian", "", 3, "Gaussian curvature $K$ (× 10³)"),
+        ("gaussian", "mm", -6, "Gaussian curvature $K$ ($10^{-6}$ 1/mm²)"),
+        ("gaussian", "", 3, "Gaussian curvature $K$ (× $10^{3}$)"),
         ("shape_index", "mm", 0, "Shape index $S$"),
         ("hk_type", "mm", 0, "HK type"),
     ],

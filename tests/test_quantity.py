@@ -93,21 +93,42 @@ def test_classes_of_the_height_and_of_points_do_not_turn():
         assert [mirrored(key, code) for code in range(len(names))] == list(range(len(names)))
 
 
-@pytest.mark.parametrize(("word", "meant"), [("gausian", "gaussian"), ("curvednes", "curvedness"), ("k_1", "k1")])
+@pytest.mark.parametrize(("word", "meant"), [("gausian", "gaussian"), ("curvednes", "curvedness"), ("kk", "K")])
 def test_unknown_quantity_names_the_nearest(word, meant):
     with pytest.raises(ValueError, match=f"unknown quantity '{word}'; did you mean '{meant}'"):
         quantity(word)
 
 
 @pytest.mark.parametrize(
-    ("symbol", "key"), [("K", "gaussian"), ("h", "mean"), ("κ1", "k1"), ("S", "shape_index"), ("γ3", "gamma3")]
+    ("symbol", "key"),
+    [
+        *(("K", "gaussian"), ("k", "gaussian"), ("h", "mean"), ("κ1", "k1"), ("κ₂", "k2"), ("kappa_1", "k1")),
+        *(
+            ("S", "shape_index"),
+            ("γ3", "gamma3"),
+            ("n", "normal"),
+            ("N", "N"),
+            (r"\beta_{0}", "beta0"),
+            ("C", "curvedness"),
+        ),
+    ],
 )
-def test_a_symbol_names_its_key(symbol, key):
-    with pytest.raises(ValueError, match=f"unknown quantity '{symbol}'; did you mean '{key}'"):
-        quantity(symbol)
+def test_a_symbol_is_as_good_as_its_key(symbol, key):
+    assert quantity(symbol).key == key
 
 
-def test_unknown_quantity_far_from_all_lists_them():
-    with pytest.raises(ValueError, match="known are point, normal, E") as caught:
+def test_every_symbol_leads_to_a_quantity_of_that_symbol():
+    for q in QUANTITIES:
+        assert quantity(q.symbol).symbol == q.symbol
+        assert quantity(q.key) is q
+
+
+def test_a_sample_knows_symbols_too():
+    sample = analyse(sphere(2.0), 0.3, 0.4, ["K", "κ1"])
+    assert sample["K"] == sample["gaussian"] == pytest.approx(0.25, rel=1e-12)
+
+
+def test_unknown_quantity_far_from_all_names_some():
+    with pytest.raises(ValueError, match="such as point, normal, E") as caught:
         quantity("temperature")
     assert "did you mean" not in str(caught.value)

@@ -127,7 +127,7 @@ def _columns(q: Quantity, sample: Sample, unit: str) -> list[Column]:
         if q.key == "point":
             words = (axis, axis, axis, f"{axis} of the point")
         elif q.components == 3:
-            words = (f"{q.key}_{axis}", f"{q.symbol}_{axis}", f"{q.latex}_{axis}", f"{axis} of the {q.name}")
+            words = (f"{q.key}_{axis}", f"{q.symbol}_{axis}", f"{{{q.latex}}}_{axis}", f"{axis} of the {q.name}")
         read = np.where(np.abs(values) <= floor, 0.0, values)
         columns.append(Column(*words, q.unit(unit), _floats(values), _floats(read)))
     return columns

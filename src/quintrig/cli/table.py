@@ -58,6 +58,8 @@ def table(
     output: Annotated[
         Path | None, typer.Option("-o", "--output", metavar="FILE", help="Write to this file, not to the screen.")
     ] = None,
+    digits: Annotated[int, typer.Option(min=1, max=17, help="Significant digits in LaTeX.")] = 6,
+    siunitx: Annotated[bool, typer.Option("--siunitx", help="LaTeX that aligns numbers with siunitx.")] = False,
     listing: Listing = False,
     face: Face = None,
 ) -> None:
@@ -77,6 +79,7 @@ def table(
         )
     loaded = session.load(model, face)
     from quintrig.analysis.table import tabulate
+    from quintrig.exchange.latex import to_latex
     from quintrig.exchange.tables import WRITERS
 
     one = loaded.patch(patch)
@@ -85,8 +88,9 @@ def table(
     result = tabulate(one.surface, u, v, keys, metric=metric, unit=loaded.unit, title=title)
     if chosen == "text":
         print_table(result, session.output())
-    else:
-        session.deliver(WRITERS[chosen](result), output, model, points)
+        return
+    text = to_latex(result, digits=digits, siunitx=siunitx) if chosen == "latex" else WRITERS[chosen](result)
+    session.deliver(text, output, model, points)
 
 
 def _format(form: str | None, output: Path | None) -> str:

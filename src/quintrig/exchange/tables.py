@@ -8,10 +8,10 @@ import io
 import json
 import math
 import re
-from collections.abc import Callable, Iterator
-from itertools import pairwise
+from collections.abc import Callable
 
-from quintrig.analysis.table import Column, Table
+from quintrig.analysis.table import Table
+from quintrig.exchange.latex import to_latex
 from quintrig.support.csv_rows import guarded
 
 _WIDEST = 8
@@ -62,22 +62,6 @@ def to_markdown(table: Table) -> str:
     return "\n".join(lines) + "\n"
 
 
-def to_latex(table: Table) -> str:
-    r"""Return a LaTeX ``table`` with booktabs rules, symbols in mathematics and units in the headings.
-
-    A table too wide for a page is cut into parts below one another, which repeat u and v. It needs
-    ``\usepackage{booktabs}``.
-    """
-    caption = " ".join(part for part in (_sentence(table.title), *table.notes) if part)
-    tabulars = [_tabular(columns) for columns in parts(table, _WIDEST)]
-    body = "\n\n\\medskip\n".join(tabulars)
-    return (
-        "% needs \\usepackage{booktabs}\n"
-        f"\\begin{{table}}[htbp]\n\\centering\n\\caption{{{_latex_text(caption)}}}\n"
-        f"{body}\n\\end{{table}}\n"
-    )
-
-
 WRITERS: dict[str, Callable[[Table], str]] = {
     "csv": to_csv,
     "json": to_json,
@@ -102,15 +86,6 @@ def shown(value: float | str, figures: int = 6) -> str:
     return f"{mantissa}e{int(exponent)}" if exponent else mantissa
 
 
-def parts(table: Table, widest: int) -> Iterator[tuple[Column, ...]]:
-    """Cut the columns into parts of at most ``widest``; every part repeats the columns that name the row."""
-    names, rest = table.columns[: table.lead], table.columns[table.lead :]
-    count = max(1, math.ceil(len(rest) / max(1, widest - len(names))))
-    cuts = [round(i * len(rest) / count) for i in range(count + 1)]
-    for start, end in pairwise(cuts):
-        yield names + rest[start:end]
-
-
 def _exact(value: float | str) -> str:
     if isinstance(value, str):
         return guarded(value)
@@ -126,68 +101,6 @@ def _json_value(value: float | str) -> float | str | None:
     if isinstance(value, str) or math.isfinite(value):
         return value
     return None if math.isnan(value) else repr(value)
-
-
-def _tabular(columns: tuple[Column, ...]) -> str:
-    kinds = "".join("l" if column.is_text else "r" for column in columns)
-    heading = " & ".join(_latex_heading(column) for column in columns)
-    rows = zip(*(column.rounded for column in columns), strict=True)
-    lines = [" & ".join(map(_latex_value, row)) + r" \\" for row in rows]
-    return "\n".join(
-        (
-            f"\\begin{{tabular}}{{{kinds}}}",
-            r"\toprule",
-            heading + r" \\",
-            r"\midrule",
-            *lines,
-            r"\bottomrule",
-            r"\end{tabular}",
-        )
-    )
-
-
-def _latex_heading(column: Column) -> str:
-    if column.is_text:
-        return column.name
-    unit = column.unit.replace("²", "$^2$").replace("³", "$^3$")
-    return f"${column.latex}$" + (f" ({unit})" if unit else "")
-
-
-def _latex_value(value: float | str) -> str:
-    if isinstance(value, str):
-        return _latex_text(value)
-    if not math.isfinite(value):
-        return "--" if math.isnan(value) else r"$\infty$" if value > 0 else r"$-\infty$"
-    mantissa, _, exponent = f"{value:.6g}".partition("e")
-    return rf"${mantissa} \times 10^{{{int(exponent)}}}$" if exponent else f"${mantissa}$"
-
-
-_LATEX = {
-    "\\": r"\textbackslash{}",
-    **{c: f"\\{c}" for c in "&%$#_{}"},
-    "~": r"\textasciitilde{}",
-    "^": r"\textasciicircum{}",
-    "<": "$<$",
-    ">": "$>$",
-    "|": "$|$",
-    "²": "$^2$",
-    "³": "$^3$",
-    "×": r"$\times$",
-    "κ": r"$\kappa$",
-    "ˢ": "$^{S}$",
-    "−": "$-$",
-}
-
-
-def _latex_text(text: str) -> str:
-    text = text.replace("S_u × S_v", "\0").replace("<=", "\1").replace("κ1", "\2").replace("κ2", "\3")
-    escaped = "".join(_LATEX.get(c, c) for c in text)
-    special = {"\0": r"$S_u \times S_v$", "\1": r"$\leq$", "\2": r"$\kappa_1$", "\3": r"$\kappa_2$"}
-    return "".join(special.get(c, c) for c in escaped)
-
-
-def _sentence(text: str) -> str:
-    return text if not text or text.endswith((".", "!", "?")) else text + "."
 
 
 def _escape(text: str) -> str:

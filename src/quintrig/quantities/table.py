@@ -253,7 +253,8 @@ _BY_SYMBOL = {_spelled(symbol): q for q in reversed(QUANTITIES) for symbol in (q
 
 def quantity(name: str) -> Quantity:
     """Return the row of a key or a symbol such as K, κ1, β0 or beta_0; ValueError with the nearest names."""
-    found = BY_KEY.get(name) or _BY_SYMBOL.get(_spelled(name)) or BY_KEY.get(name.lower())
+    symbol = _spelled(name)
+    found = BY_KEY.get(name) or _BY_SYMBOL.get(symbol) or BY_KEY.get(name.lower()) or _BY_SYMBOL.get(symbol.upper())
     if found is None:
         hint = nearest(name, [*BY_KEY, *(q.symbol for q in QUANTITIES)]) or f"; such as {', '.join([*BY_KEY][:6])}"
         raise ValueError(f"unknown quantity {name!r}{hint}")

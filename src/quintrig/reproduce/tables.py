@@ -9,7 +9,8 @@ import numpy as np
 
 from quintrig.analysis.sample import analyse
 from quintrig.analysis.table import tabulate
-from quintrig.exchange.tables import shown, to_latex
+from quintrig.exchange.latex import to_latex
+from quintrig.exchange.tables import shown
 from quintrig.geometry.domain import grid
 from quintrig.geometry.surface import Surface
 from quintrig.quantities.signs import SIGN_TABLES
