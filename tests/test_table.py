@@ -221,7 +221,7 @@ def test_latex_is_well_formed():
     begun, ended = (re.findall(rf"\\{word}{{(\w+)}}", text) for word in ("begin", "end"))
     assert sorted(begun) == sorted(ended)
     assert text.count("{") - text.count(r"\{") == text.count("}") - text.count(r"\}")
-    assert r"50\% of A\&B\_1 \{x\} \#2." in text
+    assert r"50\% of A\&B\_1 \{x\} \#2}" in text
     assert r"$\kappa_1$ (1/mm)" in text
     assert r"$\beta_0^{S}$" in text
     assert text.isascii()
