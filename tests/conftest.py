@@ -9,21 +9,32 @@ import pytest
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
-SLOW = {
-    *(
+SLOW = frozenset(
+    [
         "cad",
         "cad_faults",
         "cluster",
         "durable",
         "examples",
+        "exchange",
         "extreme_models",
         "figure_whole",
         "hostile_input",
-        "jupyter",
-    ),
-    *("outputs", "plugins", "properties", "readme", "recipes", "report", "reproduce", "stream", "sweep_numbers"),
-    *("sweep_refined", "sweep_unbounded"),
-}
+        "mesh",
+        "outputs",
+        "plugins",
+        "properties",
+        "readme",
+        "recipes",
+        "report",
+        "reproduce",
+        "rhino_blocks",
+        "stream",
+        "sweep_numbers",
+        "sweep_refined",
+        "sweep_unbounded",
+    ]
+)
 """Files of tests that take more than some twenty seconds, without ``test_``; those of the studio's pages besides."""
 
 
