@@ -22,8 +22,8 @@ coverage: .venv/installed-dev
 	$(BIN)/python -m pytest -n auto -m "not slow" --cov --cov-report=term
 
 # Numbers with the lowest versions of dependencies that pyproject.toml lets in, in an environment of their own.
-LOWEST := $(addprefix tests/test_,$(addsuffix .py,basis compiled construct curve envelope exact integrate model nurbs \
-	quantity schema summary surface table))
+LOWEST := $(addprefix tests/test_,$(addsuffix .py,basis construct curve envelope integrate model nurbs quantity schema \
+	summary surface table))
 
 test-lowest: .venv-lowest/installed
 	.venv-lowest/bin/python -m pytest -n auto $(LOWEST)
@@ -36,8 +36,8 @@ test-lowest: .venv-lowest/installed
 	touch $@
 
 # What numbers and verdicts hang on, as on processors without AVX-512, and without AVX2.
-NUMERICAL := $(addprefix tests/test_,$(addsuffix .py,any_processor basis compiled construct curve envelope exact extremes far \
-	integrate layers nurbs properties quantity sample studio_numbers summary surface sweep_numbers still_edges sweep_unbounded unroll))
+NUMERICAL := $(addprefix tests/test_,$(addsuffix .py,any_processor basis construct curve envelope exact extremes far integrate \
+	layers nurbs properties sample studio_numbers summary surface still_edges sweep_unbounded unroll))
 
 test-processors: .venv/installed-dev
 	$(BIN)/python .ci/processor.py haswell -m pytest -n auto $(NUMERICAL)

@@ -14,6 +14,7 @@ SLOW = frozenset(
         "cad",
         "cad_faults",
         "cluster",
+        "compiled",
         "durable",
         "examples",
         "exchange",

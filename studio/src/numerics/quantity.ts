@@ -1,4 +1,4 @@
-/** The one table of quantities, exported from Python's `quantities/table.py` when the bundle is built. */
+/** The one table of quantities, exported from Python's `quantity.py` when the bundle is built. */
 
 import data from "../data.json";
 
