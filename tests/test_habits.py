@@ -32,7 +32,7 @@ def test_one_version_everywhere():
     assert json.loads((ROOT / "studio" / "package.json").read_text())["version"] == quintrig.__version__
 
 
-def test_every_dependency_has_a_lowest_version_that_is_tried():
+def test_every_dependency_has_a_lowest_version():
     lowest = _script("lowest").lowest(*PROJECT["optional-dependencies"])
     lines = [*PROJECT["dependencies"], *(line for extra in PROJECT["optional-dependencies"].values() for line in extra)]
     asked = [Requirement(line) for line in lines]
