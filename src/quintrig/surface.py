@@ -1,7 +1,7 @@
 """The one surface type: rows Q_j(u), curves in u, blended by scalar functions D_j(v)."""
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from importlib import import_module
 from typing import Any, Protocol
@@ -152,16 +152,25 @@ class Surface(Pickled):
         u, v = np.broadcast_arrays(parameter(u, "u"), parameter(v, "v"))
         if not self.trim:
             return np.ones(u.shape, dtype=np.bool_)
-        result: BoolArray = np.zeros(u.shape, dtype=np.bool_)
-        border: BoolArray = np.zeros(u.shape, dtype=np.bool_)
+        order = np.argsort(v, axis=None, kind="stable")
+        across, up = u.reshape(-1)[order], v.reshape(-1)[order]
+        odd: BoolArray = np.zeros(len(up), dtype=np.bool_)
+        border: BoolArray = np.zeros(len(up), dtype=np.bool_)
         for loop in self.trim:
-            for (u0, v0), (u1, v1) in zip(loop, np.roll(loop, -1, axis=0), strict=True):
-                du, dv = u1 - u0, v1 - v0
-                side = du * (v - v0) - dv * (u - u0)
-                result ^= ((v0 > v) != (v1 > v)) & ((side > 0.0) == (dv > 0.0)) & (dv != 0.0)
-                along, square = du * (u - u0) + dv * (v - v0), du * du + dv * dv
-                border |= (np.abs(side) <= _ON_LOOP * math.sqrt(square)) & (along >= 0.0) & (along <= square)
-        return result | border
+            start, end = loop, np.roll(loop, -1, axis=0)
+            low, high = np.minimum(start[:, 1], end[:, 1]) - _ON_LOOP, np.maximum(start[:, 1], end[:, 1]) + _ON_LOOP
+            first, last = np.searchsorted(up, low), np.searchsorted(up, high, side="right")
+            for k in np.flatnonzero(last > first):  # only the points at the height of an edge can meet it
+                near = slice(first[k], last[k])
+                (u0, v0), (du, dv) = start[k], end[k] - start[k]
+                right, above = across[near] - u0, up[near] - v0
+                side = du * above - dv * right
+                odd[near] ^= ((above < 0.0) != (up[near] < end[k, 1])) & ((side > 0.0) == (dv > 0.0)) & (dv != 0.0)
+                along, square = du * right + dv * above, du * du + dv * dv
+                border[near] |= (np.abs(side) <= _ON_LOOP * math.sqrt(square)) & (along >= 0.0) & (along <= square)
+        result: BoolArray = np.empty(len(up), dtype=np.bool_)
+        result[order] = odd | border
+        return result.reshape(u.shape)
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> Any:
         """Return the interactive view that a notebook shows; only the text where the extra ``jupyter`` is missing."""
@@ -171,6 +180,11 @@ class Surface(Pickled):
         """Return the parameters from 0 to 1 in u (``axis`` 0) or v (1) between two of which the surface is smooth."""
         functions = self.blend if axis else getattr(self.rows, "functions", None)
         return getattr(functions, "breaks", np.array([0.0, 1.0]))
+
+    @property
+    def carrier(self) -> "Surface":
+        """The whole surface that a trimmed face is cut from."""
+        return replace(self, trim=()) if self.trim else self
 
     @property
     def rational(self) -> bool:

@@ -1,0 +1,188 @@
+"""Trimmed faces: loops, integrals and extremes are those of what the loops hold, against closed forms and OpenCASCADE."""
+
+import mpmath
+import numpy as np
+import pytest
+
+import quintrig
+from quintrig.exchange.trim import area, polygon
+from quintrig.integrate import area_means, area_weights, integrals
+from quintrig.nurbs import nurbs
+
+PI = np.pi
+ROUND = 1e-9  # what is left of a loop's curves in its polygon
+SQUARE = [[[10.0 * i, 10.0 * j, 0.0] for j in range(2)] for i in range(2)]
+
+
+def circle(radius, u=0.5, v=0.5):
+    return polygon(
+        lambda t: np.stack([u + radius * np.cos(t), v + radius * np.sin(t)], axis=1), np.array([0.0, 2 * PI])
+    )
+
+
+def wave(loops):
+    """z = x (1 - x) y over the unit square, as a polynomial."""
+    x = [0.0, 0.5, 1.0]
+    points = [[[a, b, h * b] for b in (0.0, 1.0)] for a, h in zip(x, (0.0, 0.5, 0.0), strict=True)]
+    return nurbs(points, trim=loops)
+
+
+# ---------------------------------------------------------------------------------------------------------------- loops
+
+
+@pytest.mark.parametrize("radius", [0.5, 0.25, 0.01])
+def test_a_polygon_holds_the_area_of_its_curve(radius):
+    loop = circle(radius)
+    assert abs(area(loop)) == pytest.approx(PI * radius**2, rel=1e-7 if radius < 0.1 else ROUND)
+    away = np.abs(np.hypot(*(loop - 0.5).T) - radius)
+    assert away.max() <= 1e-5
+    assert loop.min() >= 0.0
+    assert loop.max() <= 1.0
+
+
+def test_a_polygon_follows_a_curve_that_bends_both_ways_and_keeps_its_ends():
+    loop = polygon(lambda t: np.stack([t, 0.5 + 0.4 * np.sin(2 * PI * t)], axis=1), np.array([0.0, 1.0]))
+    assert loop[0].tolist() == [0.0, 0.5]
+    assert loop[-1] == pytest.approx([1.0, 0.5], abs=1e-15)
+    assert np.abs(loop[:, 1] - 0.5 - 0.4 * np.sin(2 * PI * loop[:, 0])).max() <= 3e-5
+    rest = np.interp(0.25, *loop.T) - 0.9
+    assert abs(rest) <= 1e-5
+
+
+# ------------------------------------------------------------------------------------------------------------ integrals
+
+
+def test_a_disc_has_the_area_of_a_disc_and_the_whole_on_request():
+    surface = nurbs(SQUARE, trim=[circle(0.3)])
+    found = integrals(surface)
+    assert found.area.value == pytest.approx(9 * PI, rel=ROUND)
+    assert found.area.converged
+    assert found.region == "trimmed"
+    assert any("trimmed" in note for note in found.notes)
+    whole = integrals(surface.carrier)
+    assert whole.area.value == pytest.approx(100.0, rel=1e-13)
+    assert whole.region == "whole"
+
+
+def test_integrals_over_polygons_are_exact():
+    triangle = [[0.1, 0.2], [0.9, 0.3], [0.4, 0.8]]
+    hole = [[0.4, 0.4], [0.5, 0.4], [0.5, 0.5], [0.4, 0.5]]
+    surface = wave([triangle, hole])
+
+    def over(f):
+        """∬ f over the triangle without the hole, by mpmath along straight sides."""
+        low = lambda u: 0.2 + (u - 0.1) / 8  # noqa: E731
+        left = lambda u: 0.2 + 2 * (u - 0.1)  # noqa: E731
+        right = lambda u: 0.8 - (u - 0.4)  # noqa: E731
+        part = lambda a, b, top: mpmath.quad(lambda u: mpmath.quad(lambda v: f(u, v), [low(u), top(u)]), [a, b])  # noqa: E731
+        return float(part(0.1, 0.4, left) + part(0.4, 0.9, right) - mpmath.quad(f, [0.4, 0.5], [0.4, 0.5]))
+
+    def element(u, v):
+        return mpmath.sqrt(1 + ((1 - 2 * u) * v) ** 2 + (u * (1 - u)) ** 2)
+
+    found = integrals(surface)
+    assert found.area.value == pytest.approx(over(element), rel=1e-12)
+    assert found.thin_plate_energy.value == pytest.approx(
+        over(lambda u, v: 4 * v * v + 2 * (1 - 2 * u) ** 2), rel=1e-12
+    )
+    mean = area_means(surface, ["E"])["E"].value
+    first = over(lambda u, v: (1 + ((1 - 2 * u) * v) ** 2) * element(u, v))
+    assert mean == pytest.approx(first / over(element), rel=1e-5)
+
+
+def test_what_is_cut_off_does_no_harm():
+    """A spherical zone: the poles, where curvature is undefined, are outside."""
+    sphere = quintrig.sphere(2.0)
+    from dataclasses import replace
+
+    _u, _v = quintrig.grid(2, 2)
+    across = 0 if np.ptp(sphere(np.zeros(5), np.linspace(0, 1, 5)), axis=0).max() < 1e-12 else 1
+    band = np.array([[0.25, 0.0], [0.75, 0.0], [0.75, 1.0], [0.25, 1.0]])
+    zone = replace(sphere, trim=(band if across == 0 else band[:, ::-1],))
+    heights = [zone(*(pair if across == 0 else pair[::-1]))[2] for pair in ((0.25, 0.0), (0.75, 0.0))]
+    found = integrals(zone)
+    assert found.area.value == pytest.approx(2 * PI * 2.0 * abs(heights[1] - heights[0]), rel=1e-12)
+    assert found.undefined == 0.0
+    assert not found.cautions
+    assert found.bending_energy.value == pytest.approx(found.area.value * 2 / 4.0, rel=1e-11)
+
+
+def test_shares_count_the_face_alone():
+    surface = nurbs(SQUARE, trim=[circle(0.3)])
+    u, v = quintrig.grid(65, 65)
+    sample = quintrig.analyse(surface, u, v, ("E", "F", "G"))
+    weights = area_weights(sample)
+    assert weights.sum() == pytest.approx(1.0)
+    assert (weights[~surface.inside(u, v)] == 0.0).all()
+
+
+# ------------------------------------------------------------------------------------------------------------ CAD files
+
+
+@pytest.fixture(scope="module")
+def parts(tmp_path_factory):
+    """Faces by name, as read from STEP files made by OpenCASCADE, each with its area and centroid's height there."""
+    pytest.importorskip("OCP", reason="the extra 'cad' is not installed")
+    from quintrig.exchange import isolated
+    from quintrig.exchange.faces import to_model
+    from quintrig.exchange.occ import explored, module, quiet
+
+    gp, prim = module("gp"), module("BRepPrimAPI")
+    up, side = gp.gp_Dir(0, 0, 1), gp.gp_Dir(1, 0, 0)
+    folder = tmp_path_factory.mktemp("parts")
+
+    def cylinder(radius, height, at=(0, 0, 0), along=up):
+        return prim.BRepPrimAPI_MakeCylinder(gp.gp_Ax2(gp.gp_Pnt(*at), along), radius, height).Shape()
+
+    def minus(one, other):
+        return module("BRepAlgoAPI").BRepAlgoAPI_Cut(one, other).Shape()
+
+    def at(*place):
+        return gp.gp_Ax2(gp.gp_Pnt(*place), up)
+
+    shapes = {
+        "rod": cylinder(10.0, 20.0),
+        "pierced pipe": minus(cylinder(20.0, 60.0), cylinder(5.0, 30.0, (0, 0, 30), side)),
+        "pierced cone": minus(
+            prim.BRepPrimAPI_MakeCone(at(0, 0, 0), 30.0, 10.0, 40.0).Shape(), cylinder(4.0, 60.0, (0, 0, 20), side)
+        ),
+        "pierced ball": minus(prim.BRepPrimAPI_MakeSphere(at(0, 0, 0), 10.0).Shape(), cylinder(3.0, 30.0, (0, 0, -15))),
+        "pierced ring": minus(
+            prim.BRepPrimAPI_MakeTorus(at(0, 0, 0), 30.0, 10.0).Shape(), cylinder(3.0, 60.0, (0, 0, 0), side)
+        ),
+    }
+    found = {}
+    with quiet():
+        module("STEPControl").STEPControl_Controller.Init_s()
+        for name, shape in shapes.items():
+            writer = module("STEPControl").STEPControl_Writer()
+            writer.Transfer(shape, module("STEPControl").STEPControl_StepModelType.STEPControl_AsIs)
+            writer.Write(str(folder / f"{name}.step"))
+    for name, shape in shapes.items():
+        contents = isolated.read_here(folder / f"{name}.step")
+        model = to_model(contents, name)
+        assert not any(face.problem or face.note for face in contents.faces)
+        for number, (patch, face) in enumerate(zip(model.patches, explored(shape, "FACE"), strict=True)):
+            props = module("GProp").GProp_GProps()
+            module("BRepGProp").BRepGProp.SurfaceProperties_s(face, props, 1e-10, False)
+            found[name, number] = patch.surface, props.Mass()
+    return found
+
+
+def test_areas_of_faces_agree_with_opencascade(parts):
+    for name, (surface, expected) in parts.items():
+        assert integrals(surface, 1e-8).area.value == pytest.approx(expected, rel=1e-7), name
+
+
+def test_areas_of_faces_have_their_closed_forms(parts):
+    areas = sorted(integrals(surface, 1e-8).area.value for (name, _), (surface, _) in parts.items() if name == "rod")
+    assert areas == pytest.approx([100 * PI, 100 * PI, 400 * PI], rel=ROUND)
+    wall = max(
+        integrals(surface, 1e-8).area.value for (name, _), (surface, _) in parts.items() if name == "pierced pipe"
+    )
+    hole = mpmath.quad(lambda x: 2 * mpmath.sqrt(25 - x * x) * 20 / mpmath.sqrt(400 - x * x), [-5, 0, 5])
+    assert wall == pytest.approx(2 * PI * 20 * 60 - float(hole), rel=1e-8)
+    ball = max(
+        integrals(surface, 1e-8).area.value for (name, _), (surface, _) in parts.items() if name == "pierced ball"
+    )
+    assert ball == pytest.approx(2 * PI * 10 * 2 * np.sqrt(100 - 9), rel=1e-8)
