@@ -1,4 +1,4 @@
-"""Trimmed faces: loops, integrals and extremes are those of what the loops hold, against closed forms and OpenCASCADE."""
+"""Trimmed faces: numbers are those of what the loops hold, against closed forms and OpenCASCADE."""
 
 import mpmath
 import numpy as np
@@ -8,6 +8,7 @@ import quintrig
 from quintrig.exchange.trim import area, polygon
 from quintrig.integrate import area_means, area_weights, integrals
 from quintrig.nurbs import nurbs
+from quintrig.summary import summarise
 
 PI = np.pi
 ROUND = 1e-9  # what is left of a loop's curves in its polygon
@@ -186,3 +187,61 @@ def test_areas_of_faces_have_their_closed_forms(parts):
         integrals(surface, 1e-8).area.value for (name, _), (surface, _) in parts.items() if name == "pierced ball"
     )
     assert ball == pytest.approx(2 * PI * 10 * 2 * np.sqrt(100 - 9), rel=1e-8)
+
+
+# ------------------------------------------------------------------------------------------------------------- extremes
+
+
+def paraboloid(loops=()):
+    """z = x² + y² over [-1, 1]², whose Gaussian curvature is 4 / (1 + 4 r²)²."""
+    line = [1.0, -1.0, 1.0]  # x² in Bézier form over [-1, 1]
+    x = [-1.0, 0.0, 1.0]
+    return nurbs([[[x[i], x[j], line[i] + line[j]] for j in range(3)] for i in range(3)], trim=loops)
+
+
+def test_extremes_are_those_of_the_face():
+    """A ring from r = 0.2 to r = 0.6 about the middle, K from its outer to its inner rim."""
+    surface = paraboloid([circle(0.3), circle(0.1)])
+    found = quintrig.find_extremes(surface, ["gaussian"])["gaussian"]
+    assert found.minimum.value == pytest.approx(4 / (1 + 4 * 0.36) ** 2, rel=1e-4)
+    assert found.maximum.value == pytest.approx(4 / (1 + 4 * 0.04) ** 2, rel=1e-4)
+    assert np.hypot(*found.maximum.point[:2]) == pytest.approx(0.2, abs=4e-5)
+    assert found.minimum.status == found.maximum.status == "attained"
+    whole = quintrig.find_extremes(surface.carrier, ["gaussian"])["gaussian"]
+    assert whole.maximum.value == pytest.approx(4.0, rel=1e-12)
+
+
+def test_an_extreme_on_a_straight_side_is_met_exactly():
+    side = [[0.6, 0.3], [0.9, 0.3], [0.9, 0.9], [0.6, 0.9]]
+    found = quintrig.find_extremes(paraboloid([side]), ["gaussian"])["gaussian"]
+    assert found.maximum.value == pytest.approx(4 / (1 + 4 * 0.04) ** 2, rel=2e-8)
+    assert (found.maximum.u, found.maximum.v) == pytest.approx((0.6, 0.5), abs=1e-6)
+    assert found.minimum.value == pytest.approx(4 / (1 + 4 * 2 * 0.64) ** 2, rel=2e-8)
+
+
+def test_a_small_face_of_a_large_surface_is_searched_as_finely():
+    surface = paraboloid([circle(0.003, 0.7, 0.2)])
+    summary = summarise(surface)
+    assert summary.integrals.region == "trimmed"
+    radius = np.hypot(0.4, 0.6)
+    low, high = (4 / (1 + 4 * (radius + turn * 0.006) ** 2) ** 2 for turn in (1, -1))
+    assert summary.extremes["gaussian"].minimum.value == pytest.approx(low, rel=1e-4)
+    assert summary.extremes["gaussian"].maximum.value == pytest.approx(high, rel=1e-4)
+    assert summary.box[1] - summary.box[0] == pytest.approx([0.012, 0.012, 4 * radius * 0.006], rel=2e-3)
+    assert [part.name for part in summary.shares["point_type"]] == ["elliptic"]
+    assert not summary.warnings
+    assert any("trimmed" in note for note in summary.notes)
+
+
+def test_inside_agrees_with_a_plain_rule():
+    rng = np.random.default_rng(3)
+    loops = [rng.random((40, 2)), circle(0.3), np.array([[0.1, 0.1], [0.9, 0.1], [0.9, 0.1], [0.5, 0.9]])]
+    surface = nurbs(SQUARE, trim=loops)
+    u, v = rng.random((2, 3000))
+    odd = np.zeros(3000, dtype=bool)
+    for loop in loops:
+        for (u0, v0), (u1, v1) in zip(loop, np.roll(loop, -1, axis=0), strict=True):
+            if v0 != v1:
+                odd ^= ((v0 > v) != (v1 > v)) & (u < u0 + (v - v0) / (v1 - v0) * (u1 - u0))
+    np.testing.assert_array_equal(surface.inside(u, v), odd)
+    assert surface.inside(*circle(0.3)[7]) and surface.inside(0.5, 0.1)

@@ -17,6 +17,7 @@ from quintrig.pickled import Pickled
 from quintrig.planes import Settings
 from quintrig.quantity import BY_KEY, quantity
 from quintrig.surface import Surface
+from quintrig.trimmed import window
 
 SINGULAR = 4096 * np.finfo(np.float64).eps
 """A point is singular where |S_u x S_v| <= SINGULAR size²: three digits above rounding, so that the normal has some
@@ -77,6 +78,13 @@ def grid(nu: int, nv: int) -> tuple[FloatArray, FloatArray]:
         np.linspace(0.0, 1.0, whole(nu, "nu", 2))[:, None],
         np.linspace(0.0, 1.0, whole(nv, "nv", 2))[None, :],
     )
+
+
+def face_grid(surface: Surface, nu: int, nv: int) -> tuple[FloatArray, FloatArray]:
+    """Return ``grid`` over the parameters between the least and the greatest of a face's trim loops."""
+    (u0, v0), (u1, v1) = window(surface.trim)
+    u, v = grid(nu, nv)
+    return u0 + (u1 - u0) * u, v0 + (v1 - v0) * v
 
 
 def analyse(

@@ -13,6 +13,7 @@ from quintrig.arrays import BoolArray, FloatArray, locked, parameter, whole
 from quintrig.functions import Functions
 from quintrig.increments import increments, split
 from quintrig.pickled import Pickled
+from quintrig.trimmed import Inside
 
 
 class Rows(Protocol):
@@ -80,7 +81,6 @@ SMALLEST_SIZE = 1.0 / LARGEST_SIZE
 
 _SIZES = f"a surface from {SMALLEST_SIZE:g} to {LARGEST_SIZE:g} across, or a single point"
 _REMEDY = "take another unit of length or other numbers"
-_ON_LOOP = 1e-9  # parameters this near to a trim loop are on it
 
 
 @dataclass(frozen=True, eq=False)
@@ -152,25 +152,11 @@ class Surface(Pickled):
         u, v = np.broadcast_arrays(parameter(u, "u"), parameter(v, "v"))
         if not self.trim:
             return np.ones(u.shape, dtype=np.bool_)
-        order = np.argsort(v, axis=None, kind="stable")
-        across, up = u.reshape(-1)[order], v.reshape(-1)[order]
-        odd: BoolArray = np.zeros(len(up), dtype=np.bool_)
-        border: BoolArray = np.zeros(len(up), dtype=np.bool_)
-        for loop in self.trim:
-            start, end = loop, np.roll(loop, -1, axis=0)
-            low, high = np.minimum(start[:, 1], end[:, 1]) - _ON_LOOP, np.maximum(start[:, 1], end[:, 1]) + _ON_LOOP
-            first, last = np.searchsorted(up, low), np.searchsorted(up, high, side="right")
-            for k in np.flatnonzero(last > first):  # only the points at the height of an edge can meet it
-                near = slice(first[k], last[k])
-                (u0, v0), (du, dv) = start[k], end[k] - start[k]
-                right, above = across[near] - u0, up[near] - v0
-                side = du * above - dv * right
-                odd[near] ^= ((above < 0.0) != (up[near] < end[k, 1])) & ((side > 0.0) == (dv > 0.0)) & (dv != 0.0)
-                along, square = du * right + dv * above, du * du + dv * dv
-                border[near] |= (np.abs(side) <= _ON_LOOP * math.sqrt(square)) & (along >= 0.0) & (along <= square)
-        result: BoolArray = np.empty(len(up), dtype=np.bool_)
-        result[order] = odd | border
-        return result.reshape(u.shape)
+        return self._loops(u.ravel(), v.ravel()).reshape(u.shape)
+
+    @cached_property
+    def _loops(self) -> Inside:
+        return Inside(self.trim)
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> Any:
         """Return the interactive view that a notebook shows; only the text where the extra ``jupyter`` is missing."""

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from quintrig.arrays import BoolArray, FloatArray
 
+_ON_LOOP = 1e-9  # parameters this near to a loop are on it
 _SAME = 1e-13  # cuts this near are one
 _CHUNK = 1 << 16  # nodes evaluated at once, so that memory stays small
 
@@ -32,12 +33,64 @@ class Nodes:
         return [slice(start, start + _CHUNK) for start in range(0, len(self.u), _CHUNK)]
 
 
+def along(loop: FloatArray, t: FloatArray) -> FloatArray:
+    """Return the points (..., 2) of a closed loop (n, 2) at ``t`` (...): a vertex at each whole number, modulo n."""
+    first = np.floor(t).astype(np.intp)
+    share = (t - first)[..., None]
+    return (1.0 - share) * loop[first % len(loop)] + share * loop[(first + 1) % len(loop)]
+
+
 def window(loops: Sequence[FloatArray]) -> FloatArray:
     """Return the least and the greatest (u, v) of the loops, (2, 2); those of the domain where there are none."""
     if not loops:
         return np.array([[0.0, 0.0], [1.0, 1.0]])
     points = np.concatenate(loops)
     return np.stack([points.min(axis=0), points.max(axis=0)])
+
+
+class Inside:
+    """Which parameters lie inside closed loops: sides sorted into bands of v, so that a point meets few of them."""
+
+    def __init__(self, loops: Sequence[FloatArray]) -> None:
+        self._start: FloatArray = np.concatenate(loops)
+        self._end: FloatArray = np.concatenate([np.roll(loop, -1, axis=0) for loop in loops])
+        self._bands = min(len(self._start), 2048)
+        first = self._band(np.minimum(self._start[:, 1], self._end[:, 1]) - _ON_LOOP)
+        count = self._band(np.maximum(self._start[:, 1], self._end[:, 1]) + _ON_LOOP) - first + 1
+        side, place = _spread(count)
+        band = first[side] + place
+        order = np.argsort(band, kind="stable")
+        self._sides = side[order]
+        self._offsets = np.searchsorted(band[order], np.arange(self._bands + 1))
+
+    def __call__(self, u: FloatArray, v: FloatArray) -> BoolArray:
+        """Return for parameters (n,) where a line from them crosses the loops an odd number of times, or on one."""
+        parts = [slice(start, start + _CHUNK) for start in range(0, len(u), _CHUNK)]
+        found: list[BoolArray] = [self._part(u[part], v[part]) for part in parts]
+        return np.concatenate(found) if found else np.zeros(0, dtype=np.bool_)
+
+    def _part(self, u: FloatArray, v: FloatArray) -> BoolArray:
+        band = self._band(v)
+        point, place = _spread(self._offsets[band + 1] - self._offsets[band])
+        side = self._sides[self._offsets[band[point]] + place]
+        (u0, v0), (u1, v1) = self._start[side].T, self._end[side].T
+        du, dv, right, above = u1 - u0, v1 - v0, u[point] - u0, v[point] - v0
+        off = du * above - dv * right
+        crossed = ((v0 > v[point]) != (v1 > v[point])) & ((off > 0.0) == (dv > 0.0)) & (dv != 0.0)
+        along, square = du * right + dv * above, du * du + dv * dv
+        on = (np.abs(off) <= _ON_LOOP * np.sqrt(square)) & (along >= 0.0) & (along <= square) & (square > 0.0)
+        odd = np.bincount(point[crossed], minlength=len(u)) % 2 == 1
+        result: BoolArray = odd | (np.bincount(point[on], minlength=len(u)) > 0)
+        return result
+
+    def _band(self, v: FloatArray) -> NDArray[np.intp]:
+        return np.clip(v * self._bands, 0, self._bands - 1).astype(np.intp)
+
+
+def _spread(counts: NDArray[np.intp]) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """Return index and place of as many items as each count says: (0, 0), (0, 1), ..., (1, 0), ..."""
+    which = np.repeat(np.arange(len(counts)), counts)
+    return which, np.arange(len(which)) - np.repeat(np.cumsum(counts) - counts, counts)
 
 
 def nodes_inside(
@@ -85,9 +138,8 @@ def _strips(start: FloatArray, end: FloatArray, cuts: FloatArray) -> tuple[NDArr
     """Return slab, lower and upper side of every part of a slab inside the loops: from the first side to the second."""
     middle = 0.5 * (cuts[:-1] + cuts[1:])
     first, last = np.searchsorted(middle, start[:, 0]), np.searchsorted(middle, end[:, 0])
-    count = last - first
-    side = np.repeat(np.arange(len(start)), count)
-    slab = np.arange(len(side)) - np.repeat(np.cumsum(count) - count, count) + first[side]
+    side, place = _spread(last - first)
+    slab = first[side] + place
     order = np.lexsort((_at(start[side], end[side], middle[slab][:, None])[:, 0], slab))
     side, slab = side[order], slab[order]
     return slab[::2], side[::2], side[1::2]  # every line across closed loops meets an even number of sides
@@ -111,9 +163,8 @@ def _along(u: FloatArray, spans: FloatArray, weights: FloatArray, v_ends: FloatA
     below, above = spans[:, 0], spans[:, 1]
     first = np.searchsorted(v_ends, below, side="right")
     last = np.maximum(np.searchsorted(v_ends, above, side="left"), first)
-    pieces = last - first + 1
-    line = np.repeat(np.arange(len(u)), pieces)
-    k = np.arange(len(line)) - np.repeat(np.cumsum(pieces) - pieces, pieces) + first[line]
+    line, place = _spread(last - first + 1)
+    k = first[line] + place
     low = np.maximum(v_ends[np.maximum(k - 1, 0)], below[line])
     high = np.minimum(v_ends[np.minimum(k, len(v_ends) - 1)], above[line])
     half = 0.5 * np.maximum(high - low, 0.0)

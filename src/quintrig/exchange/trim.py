@@ -19,8 +19,8 @@ def polygon(curve: Callable[[FloatArray], FloatArray], breaks: FloatArray) -> Fl
     It is within 1e-5 of the curve, now on one side of it and now on the other, so that the area beside it is right to
     1e-9 and less. It starts and ends where the curve does.
     """
-    t = np.concatenate([np.linspace(low, high, 17)[:-1] for low, high in pairwise(breaks)] + [breaks[-1:]])
-    t = refined(curve, t, _CHORD)
+    pieces: list[FloatArray] = [np.linspace(low, high, 17)[:-1] for low, high in pairwise(breaks)]
+    t = refined(curve, np.concatenate([*pieces, breaks[-1:]]), _CHORD)
     return _balanced(curve(t), curve(0.5 * (t[:-1] + t[1:])))
 
 
