@@ -5,10 +5,14 @@ import numpy as np
 import pytest
 
 import quintrig
-from quintrig.exchange.trim import area, polygon
+from quintrig.exchange.trim import area
+from quintrig.exchange.flatten import FlattenOptions, export_pattern
+from quintrig.exchange.pattern import PatternOptions, bends
 from quintrig.integrate import area_means, area_weights, integrals
 from quintrig.nurbs import nurbs
+from quintrig.polygon import polygon
 from quintrig.summary import summarise
+from quintrig.unroll import Sheet, unroll
 
 PI = np.pi
 ROUND = 1e-9  # what is left of a loop's curves in its polygon
@@ -244,4 +248,93 @@ def test_inside_agrees_with_a_plain_rule():
             if v0 != v1:
                 odd ^= ((v0 > v) != (v1 > v)) & (u < u0 + (v - v0) / (v1 - v0) * (u1 - u0))
     np.testing.assert_array_equal(surface.inside(u, v), odd)
-    assert surface.inside(*circle(0.3)[7]) and surface.inside(0.5, 0.1)
+    assert surface.inside(*circle(0.3)[7])
+    assert surface.inside(0.5, 0.1)
+
+
+# -------------------------------------------------------------------------------------------------------- flat patterns
+
+
+def tube(loops, flip=False):
+    """A quarter of a cylinder of radius 2 and height 5, exact: u around, v along its axis."""
+    h = np.sqrt(0.5)
+    points = [[[x, y, z] for z in (0.0, 5.0)] for x, y in ((2.0, 0.0), (2.0, 2.0), (0.0, 2.0))]
+    return nurbs(points, [[1.0, 1.0], [h, h], [1.0, 1.0]], trim=loops, flip=flip)
+
+
+def shoelace(loop):
+    x, y = loop.T
+    return 0.5 * float((x * np.roll(y, -1) - np.roll(x, -1) * y).sum())
+
+
+OUTER = [[0.1, 0.1], [0.9, 0.1], [0.9, 0.9], [0.1, 0.9]]
+HOLE = [[0.4, 0.4], [0.6, 0.4], [0.6, 0.7], [0.4, 0.7]]
+
+
+@pytest.mark.parametrize("flip", [False, True])
+def test_a_pattern_has_the_outline_and_the_holes_of_the_face(flip):
+    surface = tube([OUTER, HOLE, circle(0.05, 0.2, 0.5)], flip)
+    pattern = unroll(surface)
+    angle = lambda u: np.arctan2(*surface(u, 0.0)[[1, 0]])  # noqa: E731
+    sides = [2.0 * (angle(b) - angle(a)) for a, b in ((0.1, 0.9), (0.4, 0.6))]
+    assert [np.ptp(loop, axis=0).max() for loop in pattern.loops[:2]] == pytest.approx([4.0, 1.5], rel=1e-9)
+    areas = [abs(shoelace(loop)) for loop in pattern.loops]
+    assert areas[:2] == pytest.approx([4.0 * sides[0], 1.5 * sides[1]], rel=1e-7)
+    expected = integrals(surface).area.value
+    assert pattern.isometry.area == pytest.approx(expected, rel=1e-9)
+    assert areas[0] - areas[1] - areas[2] == pytest.approx(expected, rel=1e-6)
+    assert pattern.isometry.area_change <= 1e-6
+    assert unroll(surface.carrier).loops == ()
+
+
+def test_a_thick_sheet_has_the_area_of_its_neutral_layer():
+    """The sheet lies outside, its neutral layer half of it further out: that of a tube of radius 2.5."""
+    surface = tube([OUTER, HOLE])
+    for side in ("back", "front"):
+        pattern = unroll(surface, Sheet(1.0, 0.5, side))
+        factor = pattern.isometry.area / integrals(surface).area.value
+        assert min(abs(factor - 1.25), abs(factor - 0.75)) <= 1e-9
+        assert pattern.isometry.area_change <= 1e-6
+
+
+def test_bend_lines_stay_on_the_face_and_add_up_to_its_bend():
+    surface = tube([OUTER, HOLE])
+    pattern = unroll(surface)
+    lines = bends(pattern, 3.0)
+    by_place = {bend.t: bend.angle for bend in lines}
+    turn = np.degrees(np.ptp([np.arctan2(*surface(u, 0.0)[[1, 0]]) for u in (0.1, 0.9)]))
+    assert sum(by_place.values()) == pytest.approx(turn, rel=1e-6)
+    for bend in lines:
+        length = np.linalg.norm(np.ptp(bend.ends, axis=0))
+        pieces = [other for other in lines if other.t == bend.t]
+        assert len(pieces) == (2 if 0.4 < bend.t < 0.6 else 1)
+        assert length == pytest.approx(4.0 if len(pieces) == 1 else length, rel=1e-5)
+        assert sum(np.linalg.norm(np.ptp(other.ends, axis=0)) for other in pieces) == pytest.approx(
+            4.0 if len(pieces) == 1 else 2.5, rel=1e-5
+        )
+
+
+def patch_of(surface):
+    from types import SimpleNamespace
+
+    return SimpleNamespace(name="wall", surface=surface)
+
+
+def test_files_hold_the_outline_and_the_holes(tmp_path):
+    ezdxf = pytest.importorskip("ezdxf", reason="the extra 'flat' is not installed")
+    told = export_pattern(patch_of(tube([OUTER, HOLE])), "mm", tmp_path / "wall.dxf")
+    assert any("outline and holes" in line for line in told)
+    drawn = [
+        e for e in ezdxf.readfile(tmp_path / "wall.dxf").modelspace().query("LWPOLYLINE") if e.dxf.layer == "OUTLINE"
+    ]
+    areas = sorted(abs(shoelace(np.array([point[:2] for point in line.get_points()]))) for line in drawn)
+    assert areas[1] - areas[0] == pytest.approx(integrals(tube([OUTER, HOLE])).area.value, rel=1e-6)
+    assert all(line.closed for line in drawn)
+
+
+def test_a_trimmed_face_that_fits_no_sheet_is_refused(tmp_path):
+    options = FlattenOptions(drawing=PatternOptions(stock=(2.0, 3.0)))
+    with pytest.raises(ValueError, match="expected one that holds all of a trimmed face"):
+        export_pattern(patch_of(tube([OUTER])), "mm", tmp_path / "wall.svg", options)
+    fits = FlattenOptions(drawing=PatternOptions(stock=(6.0, 3.0)))
+    export_pattern(patch_of(tube([OUTER])), "mm", tmp_path / "wall.svg", fits)

@@ -52,6 +52,7 @@ class Inside:
     """Which parameters lie inside closed loops: sides sorted into bands of v, so that a point meets few of them."""
 
     def __init__(self, loops: Sequence[FloatArray]) -> None:
+        """Sort the sides of the loops (n, 2)."""
         self._start: FloatArray = np.concatenate(loops)
         self._end: FloatArray = np.concatenate([np.roll(loop, -1, axis=0) for loop in loops])
         self._bands = min(len(self._start), 2048)

@@ -12,9 +12,10 @@ from quintrig.errors import QuintrigError
 from quintrig.exchange.cad_parameters import Box, Places, places
 from quintrig.exchange.faces import Contents, Face, SpaceCurve
 from quintrig.exchange.occ import array_type, down_to, explored, from_occ, module, quiet, sequence
-from quintrig.exchange.trim import polygon, simplified, without_border
+from quintrig.exchange.trim import simplified, without_border
 from quintrig.exchange.units import ASSUMED, UNITS, named
 from quintrig.nurbs import nurbs
+from quintrig.polygon import polygon
 
 _MOST_FACES = 100_000
 _ROUNDING = 1e-9  # of a carrier's period or extent: nearer to its bounds, a face ends there

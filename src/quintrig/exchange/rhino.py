@@ -16,9 +16,10 @@ from quintrig.exact import ExactSurface
 from quintrig.exchange.extras import need
 from quintrig.exchange.faces import Contents, Face, SpaceCurve
 from quintrig.exchange.project import projected
-from quintrig.exchange.trim import polygon, simplified, without_border
+from quintrig.exchange.trim import simplified, without_border
 from quintrig.exchange.units import named, stated
 from quintrig.nurbs import nurbs
+from quintrig.polygon import polygon
 from quintrig.surface import Surface
 
 _VERSION = 7
