@@ -1,17 +1,21 @@
 """Trimmed faces: numbers are those of what the loops hold, against closed forms and OpenCASCADE."""
 
+import json
+
 import mpmath
 import numpy as np
 import pytest
 
 import quintrig
-from quintrig.exchange.trim import area
+from cli_runner import quintrig as cli
 from quintrig.exchange.flatten import FlattenOptions, export_pattern
 from quintrig.exchange.pattern import PatternOptions, bends
+from quintrig.exchange.trim import area
 from quintrig.integrate import area_means, area_weights, integrals
 from quintrig.nurbs import nurbs
 from quintrig.polygon import polygon
 from quintrig.summary import summarise
+from quintrig.table import tabulate
 from quintrig.unroll import Sheet, unroll
 
 PI = np.pi
@@ -338,3 +342,58 @@ def test_a_trimmed_face_that_fits_no_sheet_is_refused(tmp_path):
         export_pattern(patch_of(tube([OUTER])), "mm", tmp_path / "wall.svg", options)
     fits = FlattenOptions(drawing=PatternOptions(stock=(6.0, 3.0)))
     export_pattern(patch_of(tube([OUTER])), "mm", tmp_path / "wall.svg", fits)
+
+
+# ----------------------------------------------------------------------------------------- tables, pictures, commands
+
+
+def model_file(folder, name="face.toml"):
+    from quintrig.exchange.toml import to_toml
+
+    points = [[[0, 0, 0], [0, 10, 0]], [[10, 0, 0], [10, 10, 0]]]
+    knots = [[0, 0, 1, 1], [0, 0, 1, 1]]
+    keys = {"schema": 1, "name": "disc", "unit": "mm", "kind": "nurbs", "degrees": [1, 1], "knots": knots}
+    path = folder / name
+    path.write_text(to_toml({**keys, "points": points, "trim": [circle(0.3).tolist()]}))
+    return path
+
+
+def test_a_table_has_values_of_the_face_alone_or_of_the_whole():
+    surface = tube([OUTER, HOLE])
+    table = tabulate(surface, [0.5, 0.2], [0.5, 0.5], ["mean", "point_type"])
+    assert table.region == "trimmed"
+    by_key = {column.key: column.values for column in table.columns}
+    assert np.isnan(by_key["mean"][0])
+    assert abs(by_key["mean"][1]) == pytest.approx(0.25)
+    assert by_key["point_type"] == ("undefined", "parabolic")
+    assert by_key["x"][0] == pytest.approx(np.sqrt(2.0))
+    whole = tabulate(surface, [0.5, 0.2], [0.5, 0.5], ["mean"], whole=True)
+    assert abs(np.array({column.key: column.values for column in whole.columns}["mean"])) == pytest.approx(0.25)
+    assert whole.region == "whole"
+
+
+def test_commands_take_the_face_and_the_whole_on_request(tmp_path):
+    path = model_file(tmp_path)
+    told = cli("check", path)
+    assert "area 28.27 mm²" in told.out
+    assert "no warnings" in told.out
+    assert "area 100 mm²" in cli("check", "--whole", path).out
+    for extra, region, value in (((), "trimmed", None), (("--whole",), "whole", 0.0)):
+        table = json.loads(cli("table", path, "--at", "0,0", "-q", "gaussian", "-f", "json", *extra).out)
+        assert table["region"] == region
+        assert table["rows"][0]["gaussian"] == value
+    assert cli("flatten", path, tmp_path / "a.svg").code == 0
+    assert "28.27" in (tmp_path / "a.svg").read_text()
+    assert cli("flatten", path, tmp_path / "b.svg", "--whole").code == 0
+    assert "28.27" not in (tmp_path / "b.svg").read_text()
+
+
+def test_pictures_draw_the_face_alone():
+    from quintrig.figure.field import facet_fields
+    from quintrig.figure.scene import Scene, bounds
+
+    surface = nurbs(SQUARE, trim=[circle(0.3)])
+    low, high = bounds([surface], Scene())
+    assert (high - low)[:2] == pytest.approx([6.0, 6.0], abs=1e-3)
+    inside = facet_fields([surface], "gaussian", 100)[0].inside
+    assert inside.mean() == pytest.approx(PI / 4, abs=0.01)
