@@ -11,9 +11,16 @@ import platform  # noqa: E402
 from importlib.metadata import version  # noqa: E402
 from pathlib import Path  # noqa: E402
 
-from bench import accuracy, peers, speed, startup, sweeps  # noqa: E402
+from bench import accuracy, integrals, peers, speed, startup, sweeps  # noqa: E402
 
-PARTS = {"accuracy": accuracy, "speed": speed, "peers": peers, "sweeps": sweeps, "startup": startup}
+PARTS = {
+    "accuracy": accuracy,
+    "integrals": integrals,
+    "speed": speed,
+    "peers": peers,
+    "sweeps": sweeps,
+    "startup": startup,
+}
 
 
 def machine() -> str:

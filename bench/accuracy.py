@@ -7,7 +7,7 @@ import numpy as np
 
 import quintrig
 from bench.timing import table
-from quintrig.stream import analyse_blocks
+from quintrig.analysis.stream import analyse_blocks
 
 CASES = Path(__file__).parent.parent / "tests" / "data" / "cases.json"
 POWERS = {"gaussian": 2, "mean": 1, "k1": 1, "k2": 1, "curvedness": 1, "shape_index": 0}

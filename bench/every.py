@@ -7,7 +7,7 @@ is worked out twice.
 import numpy as np
 
 from bench.rivals import mixed_partials
-from quintrig.classify import Thresholds
+from quintrig.quantities.classify import Thresholds
 
 KEYS = (
     *("point", "normal", "gaussian", "mean", "k1", "k2", "direction1", "direction2", "shape_index", "curvedness"),

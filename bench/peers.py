@@ -14,7 +14,7 @@ import quintrig
 from bench.rivals import curvature, row_blocks
 from bench.speed import KH, wavy_net
 from bench.timing import race, short, spelt, table
-from quintrig.basis import Bernstein
+from quintrig.basis.bernstein import Bernstein
 
 Answer = tuple[np.ndarray, np.ndarray]
 CLAMPED = [0.0] * 6 + [1.0] * 6

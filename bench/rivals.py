@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from quintrig.basis import Trigonometric
+from quintrig.basis.trigonometric import Trigonometric
 
 
 def mixed_partials(net, u, v, shape, height, point=False, basis=Trigonometric):

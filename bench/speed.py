@@ -7,7 +7,7 @@ import numpy as np
 import quintrig
 from bench import every, rivals
 from bench.timing import HEAD, compared, fastest, race, short, spelt, table
-from quintrig.stream import analyse_blocks
+from quintrig.analysis.stream import analyse_blocks
 
 KH = ("gaussian", "mean")
 SHAPE = (1.0, 0.0, -2.0, -3.0)

@@ -10,7 +10,6 @@ from pathlib import Path
 import quintrig
 from bench.speed import wavy_net
 from bench.timing import HEAD, compared, race, table
-from quintrig.sweep.affine import with_parameters
 from quintrig.sweep.part import Task, summaries
 from quintrig.sweep.run import run
 from quintrig.sweep.space import SHAPE_NAMES, Axis, DesignSpace
@@ -31,7 +30,7 @@ def report(quick: bool) -> None:
 
     def one_by_one():
         for values in task.space.designs(first, first + few).tolist():
-            surface = with_parameters(patch, dict(zip(SHAPE_NAMES, values, strict=True))).surface
+            surface = patch.with_parameters(dict(zip(SHAPE_NAMES, values, strict=True))).surface
             sample = quintrig.analyse(
                 surface, t[:, None], t[None, :], ("gaussian", "mean", "curvedness", "hk_type", "E", "F", "G")
             )

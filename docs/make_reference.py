@@ -10,7 +10,7 @@ from typing import Literal, Union, get_args, get_origin, get_type_hints
 import numpy as np
 
 import quintrig
-from quintrig.quantity import QUANTITIES, Quantity
+from quintrig.quantities.table import QUANTITIES, Quantity
 
 HERE = Path(__file__).parent
 

@@ -8,11 +8,14 @@ from dataclasses import dataclass
 import numpy as np
 
 import quintrig
-from quintrig import construct, reference
-from quintrig.basis import Bernstein, TangentBernstein, Trigonometric
-from quintrig.bspline import normalised
-from quintrig.functions import Circular, Hyperbolic, Joined, Powers
-from quintrig.nurbs import nurbs
+from quintrig.basis.bernstein import Bernstein, TangentBernstein
+from quintrig.basis.bspline import normalised
+from quintrig.basis.elementary import Circular, Hyperbolic, Powers
+from quintrig.basis.joined import Joined
+from quintrig.basis.trigonometric import Trigonometric
+from quintrig.geometry import closed_forms as reference
+from quintrig.geometry import constructions as construct
+from quintrig.geometry.nurbs import nurbs
 
 # ---------------------------------------------------------------------------------------------- functions
 

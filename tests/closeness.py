@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from quintrig.quantity import BY_KEY
+from quintrig.quantities.table import BY_KEY
 
 # The invariants in the horizontal plane grow by these powers of 1/n_z; their rounding by one more.
 STEEP = {"beta0": 2, "beta1": 3, "beta2": 4, "gamma1": 5, "gamma2": 4, "gamma3": 3}

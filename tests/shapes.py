@@ -39,7 +39,7 @@ def developables():
 
 def rational():
     """Every surface with an exact rational form, by name."""
-    from quintrig.nurbs import nurbs
+    from quintrig.geometry.nurbs import nurbs
 
     circle = [[2, 0], [2, 1], [1.5, 2], [1, 2.5], [0.8, 3], [0.2, 4]]
     around = [[1, 0], [1, 0.5], [0.8, 0.9], [0.4, 1.1], [0.2, 1.2], [0, 1]]

@@ -6,9 +6,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import quintrig
-from quintrig.agreement import PAIRS, REASONS, compare_methods
-from quintrig.classify import HK_TYPES, INVARIANT_TYPES, SHAPE_CLASSES, Thresholds
-from quintrig.correspondence import (
+from quintrig.analysis.agreement import PAIRS, REASONS, compare_methods
+from quintrig.quantities.classify import HK_TYPES, INVARIANT_TYPES, SHAPE_CLASSES, Thresholds
+from quintrig.quantities.correspondence import (
     AGREE,
     CLASS_VERSUS_HEIGHT,
     CONFLICT,

@@ -5,7 +5,7 @@ import pytest
 
 import quintrig
 from catalogue import CALM, CUSPED, LEVEL, TILTED
-from quintrig.origin import moved_plane
+from quintrig.geometry.origin import moved_plane
 
 COUNTS = (2, 3, 4, 5, 8, 9, 16, 17, 31, 64, 65, 99, 100, 127, 128, 129, 255, 256, 257, 511, 512, 513, 1000, 1024, 4096)
 PAIRS = ((0.5, 0.5), (0.0, 0.0), (-1.0, -1.0), (1.0, 1.0), (0.3, 0.3), (-3.5, -3.5))

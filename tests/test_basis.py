@@ -9,8 +9,10 @@ from hypothesis import strategies as st
 
 import oracle
 from catalogue import BASES, FAMILIES, PAIRS
-from quintrig.basis import Bernstein, TangentBernstein, Trigonometric, family
-from quintrig.functions import Circular
+from quintrig.basis.bernstein import Bernstein, TangentBernstein
+from quintrig.basis.elementary import Circular
+from quintrig.basis.registry import family
+from quintrig.basis.trigonometric import Trigonometric
 
 T = np.concatenate([[0.0, 1.0, 0.5, 1e-9, 1 - 1e-9, 1e-3], np.random.default_rng(0).random(12)])
 HALF = 0.5 * np.pi

@@ -10,15 +10,15 @@ import pytest
 
 import quintrig
 import shapes
-from quintrig.errors import QuintrigError
-from quintrig.exact import exact_surface
-from quintrig.exchange import isolated
-from quintrig.exchange.cad import CadOptions, export_cad
-from quintrig.exchange.carrier import carriers
-from quintrig.exchange.deviation import deviations
-from quintrig.exchange.faces import to_model
-from quintrig.exchange.fit import FitOptions, fit
-from quintrig.model import Model, Patch
+from quintrig.exchange.cad import isolated
+from quintrig.exchange.cad.faces import to_model
+from quintrig.exchange.cad.fit import FitOptions, fit
+from quintrig.exchange.cad.forms import carriers
+from quintrig.exchange.cad.readback import deviations
+from quintrig.exchange.cad.save import CadOptions, export_cad
+from quintrig.geometry.exact import exact_surface
+from quintrig.model.model import Model, Patch
+from quintrig.support.errors import QuintrigError
 
 if not os.environ.get("CI"):
     pytest.importorskip("OCP", reason="needs the extra cad: pip install 'quintrig[cad]'")
@@ -67,7 +67,7 @@ def occ_curvature(geometry, x, y):
 
 @pytest.mark.parametrize("name", SURFACES)
 def test_opencascade_computes_the_same_curvature(name):
-    from quintrig.exchange.occ import to_occ
+    from quintrig.exchange.cad.occ import to_occ
 
     surface = SURFACES[name]
     form = exact_surface(surface)
@@ -107,7 +107,7 @@ def test_several_patches_are_sewn_and_told(lid, suffix, tmp_path):
 
 
 def test_shared_edge_is_one_edge_of_a_shell(lid, tmp_path):
-    from quintrig.exchange.occ import explored, module, quiet
+    from quintrig.exchange.cad.occ import explored, module, quiet
 
     path = tmp_path / "lid.brep"
     export_cad(lid, path)
@@ -174,8 +174,8 @@ def test_nothing_reaches_stdout_and_nothing_is_lost_of_it(tmp_path):
         "import sys; sys.path.insert(0, sys.argv[2])\n"
         "import shapes, quintrig\n"
         "from pathlib import Path\n"
-        "from quintrig.exchange.cad import export_cad\n"
-        "from quintrig.model import Model, Patch\n"
+        "from quintrig.exchange.cad.save import export_cad\n"
+        "from quintrig.model.model import Model, Patch\n"
         "print('before')\n"
         "model = Model('m', 'mm', (Patch('p', None, quintrig.tensor(shapes.net())),))\n"
         "for suffix in ('step', 'igs', 'brep', '3dm'): export_cad(model, Path(sys.argv[1]) / f'a.{suffix}')\n"
@@ -190,7 +190,7 @@ def test_nothing_reaches_stdout_and_nothing_is_lost_of_it(tmp_path):
 
 def trimmed_step(path, reverse=False):
     """A STEP file of one face: a 10 x 10 wave with a round hole, cut by OpenCASCADE in the surface's own parameters."""
-    from quintrig.exchange.occ import module, quiet, to_occ
+    from quintrig.exchange.cad.occ import module, quiet, to_occ
 
     with quiet():
         geometry = to_occ(exact_surface(quintrig.tensor(shapes.net(), basis="bernstein")))
@@ -227,7 +227,7 @@ def test_trimmed_face_keeps_its_surface_and_marks_what_is_cut_off(tmp_path):
 
 def elementary_step(path):
     """A STEP file with a solid cylinder: a quarter of a tube and planes, none of them a B-spline."""
-    from quintrig.exchange.occ import module, quiet
+    from quintrig.exchange.cad.occ import module, quiet
 
     with quiet():
         solid = module("BRepPrimAPI").BRepPrimAPI_MakeCylinder(2.0, 5.0, np.pi / 2).Shape()
@@ -334,7 +334,7 @@ def test_unwritable_targets_leave_nothing_and_keep_what_was_there(tmp_path):
 
 
 def test_a_missing_extra_names_the_pip_command(monkeypatch):
-    from quintrig.exchange import extras
+    from quintrig.support import extras
 
     monkeypatch.setitem(sys.modules, "rhino3dm", None)
     with pytest.raises(QuintrigError, match=r"pip install 'quintrig\[cad\]'"):
@@ -357,7 +357,7 @@ def test_far_from_the_origin_files_are_as_near_as_coordinates_can_be(suffix, far
     form = exact_surface(surface)
     assert np.abs(np.array(face.keys["points"]) - form.points).max() <= 2 * np.spacing(far)
     if suffix != "3dm":
-        from quintrig.exchange.occ import explored, module
+        from quintrig.exchange.cad.occ import explored, module
 
         (shape,) = (s for s in read_shapes(path))
         assert module("BRepCheck").BRepCheck_Analyzer(shape).IsValid()

@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 
 import quintrig
-from quintrig.errors import QuintrigError
-from quintrig.exchange import isolated
-from quintrig.exchange.faces import to_model
+from quintrig.exchange.cad import isolated
+from quintrig.exchange.cad.faces import to_model
+from quintrig.support.errors import QuintrigError
 
 pytest.importorskip("OCP", reason="the extra 'cad' is not installed")
 
-from quintrig.exchange.occ import module, quiet
+from quintrig.exchange.cad.occ import module, quiet
 
 DATA = Path(__file__).parent / "data"
 

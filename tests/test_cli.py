@@ -14,10 +14,10 @@ import pytest
 import quintrig
 from cli_runner import quintrig as cli
 from quintrig import __version__
-from quintrig.compare import standard_shapes
-from quintrig.definition import KINDS
-from quintrig.quantity import QUANTITIES
-from quintrig.schema import json_schema
+from quintrig.model.kinds.registry import OWN as KINDS
+from quintrig.model.schema import json_schema
+from quintrig.quantities.table import QUANTITIES
+from quintrig.shaping.shape_effect import standard_shapes
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 BOOT = EXAMPLES / "car_boot.toml"
@@ -410,7 +410,7 @@ def test_interruption_ends_quietly(monkeypatch):
     def interrupted(_):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("quintrig.model.load", interrupted)
+    monkeypatch.setattr("quintrig.model.model.load", interrupted)
     result = cli("check", BOOT)
     assert (result.code, result.err) == (130, "quintrig: interrupted\n")
 
@@ -419,7 +419,7 @@ def test_a_fault_is_told_in_one_line_and_shown_on_demand(monkeypatch):
     def broken(_):
         raise ZeroDivisionError("deep inside")
 
-    monkeypatch.setattr("quintrig.model.load", broken)
+    monkeypatch.setattr("quintrig.model.model.load", broken)
     result = cli("check", BOOT)
     assert result.code == 70
     assert result.err.count("\n") == 1
@@ -433,7 +433,7 @@ def test_a_fault_is_told_in_one_line_and_shown_on_demand(monkeypatch):
 def test_an_error_of_numpy_is_a_fault_not_a_mistake(monkeypatch):
     import numpy as np
 
-    monkeypatch.setattr("quintrig.model.load", lambda _: np.zeros(2).reshape(3))
+    monkeypatch.setattr("quintrig.model.model.load", lambda _: np.zeros(2).reshape(3))
     assert cli("check", BOOT).code == 70
 
 
@@ -441,7 +441,7 @@ def test_memory_runs_out(monkeypatch):
     def large(_):
         raise MemoryError
 
-    monkeypatch.setattr("quintrig.model.load", large)
+    monkeypatch.setattr("quintrig.model.model.load", large)
     result = cli("check", BOOT)
     assert (result.code, result.err) == (2, "quintrig: not enough memory; ask for fewer points\n")
 
@@ -456,7 +456,8 @@ def test_a_reader_that_stops_early_is_no_error():
 
 
 def test_ctrl_c_ends_with_130():
-    script = "import os, signal, quintrig.model\nquintrig.model.load = lambda _: os.kill(os.getpid(), signal.SIGINT)\n"
+    script = "import os, signal\nfrom quintrig.model import model\n"
+    script += "model.load = lambda _: os.kill(os.getpid(), signal.SIGINT)\n"
     script += "from quintrig.cli import main\nimport sys\nsys.argv = ['quintrig', 'check', 'x.toml']\nmain()\n"
     result = python("-c", script)
     assert (result.returncode, result.stderr) == (130, "quintrig: interrupted\n")

@@ -302,8 +302,8 @@ def test_debug_shows_where(tmp_path):
 
 
 def test_deep_models_through_the_dictionary_too():
-    from quintrig.errors import ModelError
-    from quintrig.model import Model
+    from quintrig.model.model import Model
+    from quintrig.support.errors import ModelError
 
     with pytest.raises(ModelError, match=r"radius: expected a number, got \[\[\[\["):
         Model.from_dict(json.loads('{"kind": "sphere", "radius": ' + "[" * 900 + "]" * 900 + "}"))

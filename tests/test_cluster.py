@@ -11,7 +11,7 @@ import pytest
 
 import quintrig
 from cli_runner import quintrig as command
-from quintrig.errors import QuintrigError
+from quintrig.support.errors import QuintrigError
 from quintrig.sweep import Axis, DesignSpace, Task, open_sweep, run
 from quintrig.sweep import store as sweep_store
 

@@ -14,12 +14,14 @@ import pytest
 
 import oracle
 import quintrig
-from quintrig import compiled
-from quintrig.basis import Bernstein, Trigonometric
-from quintrig.blocks import BLOCK, increment_blocks, pad
-from quintrig.bspline import normalised
-from quintrig.functions import Circular, Joined, Powers
-from quintrig.increments import increments, split, terms
+from quintrig.basis.bernstein import Bernstein
+from quintrig.basis.bspline import normalised
+from quintrig.basis.elementary import Circular, Powers
+from quintrig.basis.joined import Joined
+from quintrig.basis.trigonometric import Trigonometric
+from quintrig.kernel.blocks import increment_blocks, pad
+from quintrig.support import compiled
+from quintrig.support.compiled import BLOCK
 
 SOURCE = Path(quintrig.__file__).parent
 
@@ -30,7 +32,7 @@ from numba.core.caching import IndexDataCacheFile
 from numba.core.dispatcher import Dispatcher
 {before}
 import quintrig
-from quintrig import compiled
+from quintrig.support import compiled
 x, y = np.meshgrid(np.linspace(0, 5, 6), np.linspace(0, 5, 6), indexing="ij")
 surface = quintrig.tensor(np.stack([x, y, np.sin(x) * np.cos(y)], axis=-1), (0.5, -1, -3, 1))
 u, v = quintrig.grid(5, 6)
@@ -199,7 +201,8 @@ def imports(path):
 
 def test_every_module_with_compiled_code_is_among_the_sources():
     modules = {str(file.relative_to(SOURCE).with_suffix("")) for file in SOURCE.rglob("*.py")}
-    using = {name for name in modules if "compiled" in imports(SOURCE / f"{name}.py")}
+    marks = ("@loop", "@scalar", "@njit")
+    using = {name for name in modules if any(f"\n{mark}\n" in (SOURCE / f"{name}.py").read_text() for mark in marks)}
     assert using
     assert using <= set(compiled.SOURCES)
     assert all((SOURCE / f"{name}.py").exists() for name in compiled.SOURCES)
@@ -207,8 +210,8 @@ def test_every_module_with_compiled_code_is_among_the_sources():
 
 def test_every_module_that_compiled_code_takes_values_from_is_among_the_sources():
     # Modules that only give types, NumPy-level functions or objects handed in at run time stay out.
-    harmless = {"arrays", "basis", "functions", "increments", "surface"}
-    for name in set(compiled.SOURCES) - {"quantity"}:
+    harmless = {"support/arrays", "basis/functions", "geometry/surface"}
+    for name in set(compiled.SOURCES) - {"quantities/table"}:
         assert imports(SOURCE / f"{name}.py") <= set(compiled.SOURCES) | harmless, name
 
 
@@ -236,7 +239,7 @@ PLACES = np.concatenate([NEAR, [0.45, np.nextafter(0.5, 0), 0.5, np.nextafter(0.
 def unpacked(functions, t):
     """Return the compiled increments as (3, n, terms)."""
     blocks = increment_blocks(functions, t)
-    return blocks.transpose(1, 0, 3, 2).reshape(3, -1, terms(functions))[:, : len(t)]
+    return blocks.transpose(1, 0, 3, 2).reshape(3, -1, functions.terms)[:, : len(t)]
 
 
 def room(exact, t):
@@ -264,7 +267,7 @@ def test_the_compiled_increments_are_those_of_40_digits(shape):
 def test_the_compiled_increments_are_the_definition(shape):
     t = np.sort(np.concatenate([PLACES, np.random.default_rng(7).random(1000) ** 3]))
     functions = Trigonometric(*shape)
-    wanted = increments(functions, t, 2)
+    wanted = functions.increments(t, 2)
     inside = (t > 0.0) & (t < 1.0)
     error, allowed = np.abs(unpacked(functions, t) - wanted), 2e-14 * room(wanted, t)
     assert (error[:, inside] <= allowed[:, inside] + 1e-290).all()
@@ -283,9 +286,9 @@ FAMILIES = (
 def test_origin_and_increments_are_the_sum_over_the_points(functions):
     rng = np.random.default_rng(3)
     points, t = rng.normal(size=(functions.size, 2, 3)), rng.random(50)
-    origin, *rest = split(points, functions)
-    assert len(rest) == terms(functions)
-    found = np.tensordot(increments(functions, t, 2), rest, axes=1)
+    origin, *rest = functions.split(points)
+    assert len(rest) == functions.terms
+    found = np.tensordot(functions.increments(t, 2), rest, axes=1)
     found[0] += origin
     np.testing.assert_allclose(found, np.tensordot(functions.derivatives(t, 2), points, axes=1), rtol=0, atol=1e-11)
 
@@ -293,8 +296,8 @@ def test_origin_and_increments_are_the_sum_over_the_points(functions):
 @pytest.mark.parametrize("functions", [f for f in FAMILIES if f.partition], ids=lambda f: type(f).__name__)
 def test_increments_do_not_see_where_the_origin_is(functions):
     points = np.random.default_rng(3).integers(-9, 9, (functions.size, 3)).astype(float)
-    away = split(points + 2.0**50, functions)
-    assert np.array_equal(away[1:], split(points, functions)[1:])
+    away = functions.split(points + 2.0**50)
+    assert np.array_equal(away[1:], functions.split(points)[1:])
 
 
 @pytest.mark.parametrize("count", [1, BLOCK - 1, BLOCK, BLOCK + 1, 3 * BLOCK])
@@ -305,4 +308,4 @@ def test_blocks_hold_all_points_and_repeat_the_last(count):
     assert np.array_equal(blocks.ravel()[:count], t)
     assert (blocks.ravel()[count:] == t[-1]).all()
     for functions in FAMILIES:
-        np.testing.assert_allclose(unpacked(functions, t), increments(functions, t, 2), rtol=0, atol=1e-12)
+        np.testing.assert_allclose(unpacked(functions, t), functions.increments(t, 2), rtol=0, atol=1e-12)

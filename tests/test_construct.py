@@ -9,7 +9,7 @@ import quintrig
 from catalogue import AROUND, POLE, PROFILE, SHAPES, SURFACES, arch, rail, wave
 from closeness import natural, off, sound
 from quintrig import Curve
-from quintrig.nurbs import nurbs
+from quintrig.geometry.nurbs import nurbs
 
 rng = np.random.default_rng(3)
 U, V = np.array([*rng.random((12, 2)), (0, 0), (0, 1), (1, 0), (1, 1), (0, 0.3), (0.6, 1)]).T

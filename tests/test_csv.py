@@ -9,12 +9,12 @@ import pytest
 import quintrig
 import shapes
 from cli_runner import quintrig as cli
-from quintrig.csv_rows import guarded, rows_of
-from quintrig.errors import ModelError
+from quintrig.analysis.table import tabulate
 from quintrig.exchange.nets import model_from_net, to_csv
-from quintrig.numerals import real, whole
-from quintrig.table import tabulate
-from quintrig.typeset import to_csv as table_csv
+from quintrig.exchange.tables import to_csv as table_csv
+from quintrig.support.csv_rows import guarded, rows_of
+from quintrig.support.errors import ModelError
+from quintrig.support.numerals import real, whole
 
 
 @pytest.mark.parametrize(

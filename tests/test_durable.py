@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 
 from cli_runner import quintrig
-from quintrig import durable, files
-from quintrig.errors import QuintrigError
-from quintrig.exchange import isolated
-from quintrig.starter import starter
+from quintrig.exchange.cad import isolated
+from quintrig.model.starter import starter
+from quintrig.support import durable, files
+from quintrig.support.errors import QuintrigError
 from quintrig.sweep import Axis, DesignSpace, Question, Task, load_sweep, open_sweep, run, select
 from quintrig.sweep import store as sweep_store
 from test_sweep_store import MODEL, NAMES, parts, stamps
@@ -157,7 +157,7 @@ def started(tmp_path, script, *arguments):
 
 
 HELD = """
-import time, pathlib, quintrig.files as files
+import time, pathlib, quintrig.support.files as files
 real = files.flush
 def hold(file):
     real(file)
@@ -182,7 +182,7 @@ def test_a_run_that_is_terminated_leaves_no_draft(tmp_path, monkeypatch, name, c
 
 READING = """
 import sys, pathlib
-from quintrig.exchange import isolated
+from quintrig.exchange.cad import isolated
 isolated.sys = type("S", (), {{"executable": {python!r}}})
 """
 

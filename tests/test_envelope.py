@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 import oracle
 import quintrig
 from catalogue import ACROSS, CALM, CUSPED, LEVEL, PAIRS, SURFACES, TILTED
-from quintrig.basis import Trigonometric
+from quintrig.basis.trigonometric import Trigonometric
 
 STRIPS = {
     f"{name} {pair}": (planes, bounds, pair)

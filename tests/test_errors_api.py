@@ -8,7 +8,8 @@ import pytest
 import quintrig
 from catalogue import CALM, LEVEL, PROFILE, SURFACES, arch, wave
 from quintrig import Curve
-from quintrig.basis import Bernstein, Trigonometric
+from quintrig.basis.bernstein import Bernstein
+from quintrig.basis.trigonometric import Trigonometric
 
 NET = wave().tolist()
 INF, NAN = float("inf"), float("nan")

@@ -8,9 +8,9 @@ import pytest
 
 import quintrig
 from cli_runner import quintrig as cli
-from quintrig.definition import CONSTRUCTIONS
-from quintrig.envelope import regression
-from quintrig.summary import summarise
+from quintrig.analysis.summary import summarise
+from quintrig.geometry.envelope import regression
+from quintrig.model.kinds.registry import CONSTRUCTIONS
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 FILES = sorted(path for path in EXAMPLES.iterdir() if path.suffix in (".toml", ".json"))

@@ -13,11 +13,11 @@ import pytest
 import quintrig
 import shapes
 from cli_runner import quintrig as run
-from quintrig.errors import ModelError, QuintrigError
+from quintrig.exchange.cad.faces import Contents, Face, SpaceCurve, to_model
 from quintrig.exchange.export import SUFFIXES, export
-from quintrig.exchange.faces import Contents, Face, SpaceCurve, to_model
 from quintrig.exchange.nets import export_net, model_from_net, polygon, put_into, to_csv
-from quintrig.exchange.toml import to_toml
+from quintrig.model.toml import to_toml
+from quintrig.support.errors import ModelError, QuintrigError
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 GUIDE = Path(__file__).parent.parent / "docs" / "guide" / "exchange.md"
@@ -216,7 +216,7 @@ def test_bad_nets_name_the_file_and_the_mistake(name, text, message, tmp_path):
 
 
 def exact_space_curve(curve):
-    from quintrig.exact import exact_curve
+    from quintrig.geometry.exact import exact_curve
 
     form = exact_curve(curve)
     return SpaceCurve(1, "c", form.points.tolist(), form.weights.tolist(), form.basis.degree, list(form.basis.knots))
@@ -305,7 +305,7 @@ def test_faces_that_cannot_be_read_are_left_out_or_named():
 def test_trimmed_points_are_marked_in_tables_and_told():
     loop = [[0.2, 0.2], [0.8, 0.2], [0.8, 0.8], [0.2, 0.8]]
     surface = to_model(Contents("part", "mm", (face(1, trim=[loop]),)), "f").surface
-    from quintrig.table import tabulate
+    from quintrig.analysis.table import tabulate
 
     table = tabulate(surface, [0.5, 0.2, 0.1], [0.5, 0.5, 0.5], ["mean"])
     assert table.columns[-1].values == ("inside", "inside", "outside")

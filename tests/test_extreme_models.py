@@ -10,17 +10,17 @@ import pytest
 
 import quintrig
 from cli_runner import quintrig as command
-from quintrig.bspline import CLOSEST, normalised
-from quintrig.definition import KINDS
-from quintrig.errors import ModelError
-from quintrig.exchange.toml import to_toml
-from quintrig.integrate import integrals
-from quintrig.model import Model
-from quintrig.nurbs import LARGEST_RATIO
-from quintrig.quadrature import MOST_NODES
-from quintrig.starter import starter
-from quintrig.summary import summarise
-from quintrig.surface import LARGEST_SIZE, SMALLEST_SIZE
+from quintrig.analysis.integrate import integrals
+from quintrig.analysis.quadrature import MOST_NODES
+from quintrig.analysis.summary import summarise
+from quintrig.basis.bspline import CLOSEST, normalised
+from quintrig.geometry.nurbs import LARGEST_RATIO
+from quintrig.geometry.surface import LARGEST_SIZE, SMALLEST_SIZE
+from quintrig.model.kinds.registry import kinds
+from quintrig.model.model import Model
+from quintrig.model.starter import starter
+from quintrig.model.toml import to_toml
+from quintrig.support.errors import ModelError
 
 LENGTHS = ("points", "section", "trajectory", "profile", "first", "second")
 NOT_LENGTHS = ("name", "flip", "kind")
@@ -56,7 +56,7 @@ def scaled(kind, factor):
         if kind == "swung":  # of which the trajectory is a pure number
             data["scale"] = 1
     else:
-        form = KINDS[kind].model_fields
+        form = kinds()[kind].model_fields
         data |= {name: times(data.get(name, form[name].default), factor) for name in form if name not in NOT_LENGTHS}
     return data
 
@@ -113,7 +113,7 @@ def test_what_cannot_be_computed_is_refused_in_one_line_by_every_command(tmp_pat
     assert "fault" not in found.err
 
 
-@pytest.mark.parametrize("kind", [kind for kind in KINDS if kind not in GRAPHS])
+@pytest.mark.parametrize("kind", [kind for kind in kinds() if kind not in GRAPHS])
 @pytest.mark.parametrize("exponent", [-90, -60, 60, 88])
 def test_curvature_scales_with_the_size_up_to_the_limits(kind, exponent):
     usual, other = (Model.from_dict(scaled(kind, 2.0**x)).surface for x in (0, exponent))
@@ -129,7 +129,7 @@ def test_curvature_scales_with_the_size_up_to_the_limits(kind, exponent):
     summarise(other)
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", kinds())
 @pytest.mark.parametrize("factor", [1e-300, 1e-45, 1e-29, 1e-8, 1e8, 1e29, 1e45, 1e300])
 def test_a_model_of_any_scale_is_summarised_or_refused(kind, factor):
     try:

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import quintrig
-from quintrig.extremes import find_extremes
-from quintrig.table import tabulate
+from quintrig.analysis.extremes import find_extremes
+from quintrig.analysis.table import tabulate
 
 WAVED = np.stack(
     [*np.meshgrid(np.arange(6.0), np.arange(6.0), indexing="ij"), np.random.default_rng(0).normal(size=(6, 6))], axis=-1

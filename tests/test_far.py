@@ -6,9 +6,9 @@ import pytest
 import oracle
 import quintrig
 from catalogue import SURFACES, build
-from quintrig.exact import exact_surface
-from quintrig.nurbs import nurbs
-from quintrig.origin import local_origin, moved_plane
+from quintrig.geometry.exact import exact_surface
+from quintrig.geometry.nurbs import nurbs
+from quintrig.geometry.origin import local_origin, moved_plane
 from random_models import RANDOM, displaced, parameters, plain_net
 
 WAY = np.array([1.0, -0.7, 0.4])

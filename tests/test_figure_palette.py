@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from matplotlib.colors import to_rgb
 
 from quintrig.figure import palette
-from quintrig.quantity import CLASSES, quantity
+from quintrig.quantities.table import CLASSES, quantity
 
 # Full protanopia, deuteranopia and tritanopia in linear RGB (Machado, Oliveira and Fernandes 2009).
 SIGHT = {

@@ -10,8 +10,7 @@ from hypothesis import strategies as st
 from matplotlib.colors import to_rgb
 
 import quintrig
-from quintrig.basis import Trigonometric
-from quintrig.classify import HK_TYPES
+from quintrig.basis.trigonometric import Trigonometric
 from quintrig.figure import (
     beside,
     camera,
@@ -29,8 +28,9 @@ from quintrig.figure import (
     to_png_bytes,
     wording,
 )
-from quintrig.quantity import quantity
-from quintrig.surface import Surface
+from quintrig.geometry.surface import Surface
+from quintrig.quantities.classify import HK_TYPES
+from quintrig.quantities.table import quantity
 
 CASES = json.loads((Path(__file__).parent / "data" / "cases.json").read_text())
 EDGE_INSIDE = next(c["model"] for c in CASES if c["model"]["name"] == "developable" and c["model"]["shape"] == [1, 1])

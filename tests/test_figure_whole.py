@@ -12,8 +12,8 @@ import pytest
 
 import quintrig
 from quintrig import figure
-from quintrig.errors import QuintrigError
-from quintrig.quantity import QUANTITIES
+from quintrig.quantities.table import QUANTITIES
+from quintrig.support.errors import QuintrigError
 
 CASES = json.loads((Path(__file__).parent / "data" / "cases.json").read_text())
 WAVY = next(c["model"] for c in CASES if c["model"]["name"] == "wavy net")

@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import quintrig
-from quintrig.hull import check_curve_hull, check_hull, hull_distances
+from quintrig.enclosures.convex_hull import check_curve_hull, check_hull, hull_distances
 
 CUBE = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], dtype=float)
 

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 import quintrig
-from quintrig.integrate import area_means
-from quintrig.nurbs import nurbs
-from quintrig.quadrature import graded, nodes_for
+from quintrig.analysis.integrate import area_means
+from quintrig.analysis.quadrature import graded, nodes_for
+from quintrig.geometry.nurbs import nurbs
 
 
 def cylinder(radius=10.0, height=20.0):

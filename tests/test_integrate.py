@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import quintrig
-from quintrig.integrate import INTEGRALS, area_means, area_weights, integrals, orientation
+from quintrig.analysis.integrate import INTEGRALS, area_means, area_weights, integrals, orientation
 
 PI = np.pi
 QUARTER = [[0, 0, 0], [1, 2, 0], [3, 3, 1], [5, 2, 1], [7, 1, 0], [9, 2, -1]]

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 import quintrig
-from quintrig.integrate import area_means, integrals
-from quintrig.layers import find_layers
-from quintrig.quadrature import graded
+from quintrig.analysis.edge_layers import find_layers
+from quintrig.analysis.integrate import area_means, integrals
+from quintrig.analysis.quadrature import graded
 
 SECTION = np.array([[0, 0, 0], [20, 0, 10], [40, 0, 30], [60, 0, 30], [80, 0, 10], [100, 0, 0.0]])
 TRAJECTORY = np.array([[0, 0, 0], [0, 20, 11], [0, 40, 30], [0, 60, 34], [0, 80, 14], [0, 100, 3.0]])

@@ -9,13 +9,13 @@ import pytest
 
 import quintrig
 import shapes
-from quintrig.errors import QuintrigError
-from quintrig.exact import exact_surface
-from quintrig.exchange.mesh_files import linear
-from quintrig.exchange.meshes import SUFFIXES, MeshOptions, export_mesh
-from quintrig.mesh import mesh
-from quintrig.model import Model, Patch
-from quintrig.nurbs import nurbs
+from quintrig.exchange.mesh.files import linear
+from quintrig.exchange.mesh.write import SUFFIXES, MeshOptions, export_mesh
+from quintrig.geometry.exact import exact_surface
+from quintrig.geometry.nurbs import nurbs
+from quintrig.mesh.triangulate import mesh
+from quintrig.model.model import Model, Patch
+from quintrig.support.errors import QuintrigError
 
 if not os.environ.get("CI"):
     pytest.importorskip("trimesh", reason="needs the extra mesh: pip install 'quintrig[mesh]'")

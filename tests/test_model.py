@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 import quintrig
-from quintrig.definition import KINDS
-from quintrig.errors import ModelError
-from quintrig.model import UNITS, Model, load
-from quintrig.starter import starter
+from quintrig.model.kinds.registry import OWN as KINDS
+from quintrig.model.model import UNITS, Model, load
+from quintrig.model.starter import starter
+from quintrig.support.errors import ModelError
 
 SECTION = [[0, 0, 0], [2, 0, 1], [4, 0, 3], [6, 0, 3], [8, 0, 1], [10, 0, 0]]
 TRAJECTORY = [[0, 0, 0], [0, 1, 3], [0, 3, 5], [0, 5, 5], [0, 7, 3], [0, 8, 0]]

@@ -7,8 +7,8 @@ import pytest
 from scipy.interpolate import BSpline as ScipyBSpline
 
 import quintrig
-from quintrig.bspline import BSpline, clamped, normalised
-from quintrig.nurbs import nurbs
+from quintrig.basis.bspline import BSpline, clamped, normalised
+from quintrig.geometry.nurbs import nurbs
 
 KNOTS = {
     "bezier": ([0, 0, 0, 0, 1, 1, 1, 1], 3),

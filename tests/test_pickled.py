@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 import quintrig
-from quintrig.nurbs import nurbs
-from quintrig.sample import grid
-from quintrig.summary import summarise
+from quintrig.analysis.summary import summarise
+from quintrig.geometry.domain import grid
+from quintrig.geometry.nurbs import nurbs
 
 EXAMPLES = sorted((Path(__file__).parents[1] / "examples").glob("*.toml"))
 WAYS = {"pickle": lambda value: pickle.loads(pickle.dumps(value)), "deepcopy": copy.deepcopy}

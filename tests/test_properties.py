@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 import quintrig
 from catalogue import SURFACES, build
 from closeness import HEIGHT, STEEP, clear, natural, off, sound
-from quintrig.quantity import CLASSES, QUANTITIES, mirrored
-from quintrig.surface import Net, Surface
+from quintrig.geometry.surface import Net, Surface
+from quintrig.quantities.table import CLASSES, QUANTITIES, mirrored
 
 ROUNDING = 1e-11
 NETS = [name for name in SURFACES if SURFACES[name].model["kind"] not in ("developable", "nurbs")]
@@ -128,7 +128,7 @@ def test_turning_about_the_vertical_keeps_every_invariant(name, at, angle, rise)
 
 @over_catalogue()
 @repeatable
-@given(points, st.sampled_from([1e-28, 1e-3, 0.37, 25.4, 1e3, 1e28]))
+@given(points, st.sampled_from([1e-26, 1e-3, 0.37, 25.4, 1e3, 1e26]))
 def test_every_quantity_scales_by_its_power_of_length(name, at, scale):
     there = moved(name, np.eye(3), np.zeros(3), scale) or moved_rows(name, np.eye(3), scale)
     before, after = sampled(surface_of(name), at), sampled(there, at)

@@ -2,8 +2,8 @@
 
 import pytest
 
-from quintrig.classify import HK_TYPES, INVARIANT_TYPES, POINT_TYPES, SHAPE_CLASSES
-from quintrig.quantity import BY_KEY, CLASSES, QUANTITIES, SCALARS, mirrored, quantity
+from quintrig.quantities.classify import HK_TYPES, INVARIANT_TYPES, POINT_TYPES, SHAPE_CLASSES
+from quintrig.quantities.table import BY_KEY, CLASSES, QUANTITIES, SCALARS, mirrored, quantity
 
 every_row = pytest.mark.parametrize("q", QUANTITIES, ids=[q.key for q in QUANTITIES])
 

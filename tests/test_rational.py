@@ -9,12 +9,14 @@ from scipy.interpolate import NdBSpline
 
 import quintrig
 import shapes
-from quintrig import rational
-from quintrig.basis import Bernstein, Trigonometric
-from quintrig.bspline import clamped
-from quintrig.exact import blossomed, exact_curve, exact_surface, weight_ratio
-from quintrig.functions import Circular, Joined, Powers
-from quintrig.rational import NotRationalError, TangentMap
+from quintrig.basis import rational, trigonometric
+from quintrig.basis.bernstein import Bernstein
+from quintrig.basis.bspline import BSpline, clamped
+from quintrig.basis.elementary import Circular, Powers
+from quintrig.basis.joined import Joined
+from quintrig.basis.rational import NotRationalError, TangentMap
+from quintrig.basis.trigonometric import Trigonometric
+from quintrig.geometry.exact import blossomed, exact_curve, exact_surface, weight_ratio
 
 SURFACES = shapes.rational()
 
@@ -73,15 +75,15 @@ def unit_points():
 @pytest.mark.parametrize(("alpha", "zeta"), [(0, 0), (1, 1), (-4, -4), (Fraction(1, 3), Fraction(-17, 7)), (1, -4)])
 def test_degree_ten_is_the_thesis_basis_in_exact_fractions(alpha, zeta):
     weights = (Polynomial(1, 0, 1) ** 5).bernstein(10)
-    control = rational.degree_ten(unit_points(), alpha, zeta)
+    control = trigonometric.degree_ten(unit_points(), alpha, zeta)
     for i, numerator in enumerate(thesis_basis(Fraction(alpha), Fraction(zeta))):
         assert [w * b for w, b in zip(weights, control[:, i], strict=True)] == numerator.bernstein(10)
-    assert [float(w) for w in weights] == rational.WEIGHTS.tolist()
+    assert [float(w) for w in weights] == trigonometric.WEIGHTS.tolist()
 
 
 def test_degree_eight_times_one_plus_w_squared_is_degree_ten():
     weights = (Polynomial(1, 0, 1) ** 4).bernstein(8)
-    control = rational.degree_eight(unit_points())
+    control = trigonometric.degree_eight(unit_points())
     assert [float(w) for w in weights] == rational.circle_weights(8).tolist()
     for i, numerator in enumerate(thesis_basis(Fraction(0), Fraction(0))):
         coefficients = [w * b for w, b in zip(weights, control[:, i], strict=True)]
@@ -92,8 +94,8 @@ def test_degree_eight_times_one_plus_w_squared_is_degree_ten():
 
 
 def test_symmetric_weights_are_the_tangent_ones_over_powers_of_the_tenth_root_of_32():
-    form = rational.rational_functions(Trigonometric(1, 0))
-    np.testing.assert_allclose(form.weights, rational.WEIGHTS * 32 ** (-np.arange(11) / 10), rtol=1e-15)
+    form = Trigonometric(1, 0).rational()
+    np.testing.assert_allclose(form.weights, trigonometric.WEIGHTS * 32 ** (-np.arange(11) / 10), rtol=1e-15)
     np.testing.assert_allclose(form.weights, form.weights[::-1], rtol=1e-15)
     assert form.weights.max() / form.weights.min() == pytest.approx(2.4, abs=0.01)
 
@@ -136,9 +138,9 @@ FAMILIES = {
 @pytest.mark.parametrize("name", FAMILIES)
 def test_families_are_met_to_rounding(name):
     functions = FAMILIES[name]
-    form = rational.rational_functions(functions)
+    form = functions.rational()
     t = np.linspace(0, 1, 1001)
-    values = form.basis.derivatives(form.map.forward(t), 0)[0]
+    values = BSpline(form.knots, form.degree).derivatives(form.map.forward(t), 0)[0]
     ours = (values @ form.coefficients) / (values @ form.weights)[:, None]
     exact = functions.derivatives(t, 0)[0]
     assert np.abs(ours - exact).max() <= 2e-15 * np.abs(exact).max()

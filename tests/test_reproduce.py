@@ -9,12 +9,12 @@ import pytest
 from PIL import Image
 
 import quintrig
-from quintrig.classify import HK_TYPES
-from quintrig.errors import QuintrigError
+from quintrig.quantities.classify import HK_TYPES
 from quintrig.reproduce import inventory, inventory_text, write_reproduction
 from quintrig.reproduce.figures import draw
 from quintrig.reproduce.inventory import labelled_points, model, model_text
 from quintrig.reproduce.tables import tables
+from quintrig.support.errors import QuintrigError
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 FIGURES = [

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 import quintrig
-from quintrig.errors import QuintrigError
-from quintrig.exchange import isolated
-from quintrig.exchange.faces import to_model
+from quintrig.exchange.cad import isolated
+from quintrig.exchange.cad.faces import to_model
+from quintrig.support.errors import QuintrigError
 
 rhino3dm = pytest.importorskip("rhino3dm", reason="the extra 'cad' is not installed")
 

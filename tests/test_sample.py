@@ -10,11 +10,12 @@ import quintrig
 from catalogue import SHAPES, SURFACES, wave
 from closeness import natural, off, sound
 from quintrig import Thresholds
-from quintrig.arrays import aligned
-from quintrig.basis import Bernstein, Trigonometric
-from quintrig.bspline import clamped
-from quintrig.quantity import BY_KEY, CLASSES, QUANTITIES, SCALARS
-from quintrig.surface import Net
+from quintrig.basis.bernstein import Bernstein
+from quintrig.basis.bspline import clamped
+from quintrig.basis.trigonometric import Trigonometric
+from quintrig.geometry.surface import Net
+from quintrig.quantities.table import BY_KEY, CLASSES, QUANTITIES, SCALARS
+from quintrig.support.arrays import aligned
 
 NAMES = ("tensor (0.5, -1.5, -3.25, 0.9)", "ruled (0.0, 0.0, 0.0, 0.0)", "developable oblique", "nurbs", "torus")
 every_name = pytest.mark.parametrize("name", NAMES)

@@ -8,11 +8,11 @@ from pathlib import Path
 import jsonschema
 import pytest
 
-from quintrig.definition import KINDS
-from quintrig.errors import ModelError
-from quintrig.model import Model, load
-from quintrig.schema import json_schema
-from quintrig.starter import starter
+from quintrig.model.kinds.registry import OWN as KINDS
+from quintrig.model.model import Model, load
+from quintrig.model.schema import json_schema
+from quintrig.model.starter import starter
+from quintrig.support.errors import ModelError
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 FILES = sorted(path for path in EXAMPLES.iterdir() if path.suffix in (".toml", ".json"))

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import quintrig
-from quintrig.classify import HK_TYPES, INVARIANT_TYPES, POINT_TYPES, SHAPE_CLASSES
-from quintrig.signs import CLASSES, HEIGHTS, INVARIANTS, POINTS, SIGN_TABLES, TYPES
+from quintrig.quantities.classify import HK_TYPES, INVARIANT_TYPES, POINT_TYPES, SHAPE_CLASSES
+from quintrig.quantities.signs import CLASSES, HEIGHTS, INVARIANTS, POINTS, SIGN_TABLES, TYPES
 
 
 def height_field(coefficients):

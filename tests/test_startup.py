@@ -36,7 +36,7 @@ def test_the_package_alone_loads_nothing_else():
         ("import quintrig; quintrig.Model", {"pydantic"}),
         ("import quintrig; quintrig.analyse", {"numba", "llvmlite"}),
         ("import quintrig.sweep", {"numba", "llvmlite", "pydantic"}),
-        ("import quintrig.stream", {"numba", "llvmlite"}),
+        ("import quintrig.analysis.stream", {"numba", "llvmlite"}),
         ("import quintrig.cli", {"typer", "rich"}),
         ("from quintrig.cli.app import build; build()", {"typer", "rich"}),
         (

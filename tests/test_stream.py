@@ -10,11 +10,11 @@ import pytest
 
 import quintrig
 from cli_runner import quintrig as command
-from quintrig import stream
-from quintrig.errors import QuintrigError
-from quintrig.integrate import orientation
-from quintrig.quantity import BY_KEY
-from quintrig.stream import analyse_blocks, write_parquet, write_zarr
+from quintrig.analysis import stream
+from quintrig.analysis.integrate import orientation
+from quintrig.analysis.stream import analyse_blocks, write_parquet, write_zarr
+from quintrig.quantities.table import BY_KEY
+from quintrig.support.errors import QuintrigError
 
 CASES = json.loads((Path(__file__).parent / "data" / "cases.json").read_text())
 POWERS = {"gaussian": 2, "mean": 1, "k1": 1, "k2": 1, "curvedness": 1}
@@ -169,7 +169,7 @@ PEAK = """
 import resource, sys
 from pathlib import Path
 import quintrig
-from quintrig.stream import write_zarr, write_parquet
+from quintrig.analysis.stream import write_zarr, write_parquet
 surface = quintrig.sphere(2.0)
 write = {"zarr": write_zarr, "parquet": write_parquet}[sys.argv[1]]
 write(surface, Path(sys.argv[2]), int(sys.argv[3]), 2000, ("k1", "k2"))

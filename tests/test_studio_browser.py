@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import quintrig
+from quintrig.quantities import table
 from quintrig.studio import embed, policy
 from test_studio_numbers import JOBS, compare
 
@@ -521,7 +522,7 @@ def test_the_probe_tells_what_python_tells(context, served, tmp_path):
         sample = quintrig.analyse(surface, pin["u"], pin["v"])
         for key in ("gaussian", "mean", "k1", "k2", "curvedness", "shape_index"):
             assert float(row[key]) == pytest.approx(float(sample[key]), rel=1e-10)
-        assert row["hk_type"] == quintrig.quantity.BY_KEY["hk_type"].classes[int(sample["hk_type"])]
+        assert row["hk_type"] == table.BY_KEY["hk_type"].classes[int(sample["hk_type"])]
 
 
 def test_saving_writes_the_file_and_a_changed_file_is_not_lost(context, served):
@@ -785,8 +786,8 @@ def test_exports_through_the_server_are_read_by_others(context, served, tmp_path
     import ezdxf
     import trimesh
 
+    from quintrig.basis.rational import RIGHT_ANGLE
     from quintrig.exchange.imports import open_model
-    from quintrig.rational import RIGHT_ANGLE
 
     page = opened(context, served.site.address)
     page.get_by_label("alpha 1, number").fill("-1")  # what is shown is exported, not what was saved
@@ -842,10 +843,10 @@ TENSOR = {"kind": "tensor", "points": [[[i, j, (i - 2.5) ** 2 + (j - 2.5) ** 2] 
 
 
 def test_the_words_on_the_normal_are_pythons(context, served):
-    from quintrig import signs
-    from quintrig.table import normal_note
+    from quintrig.analysis.table import normal_note
+    from quintrig.quantities import signs
 
-    names = quintrig.quantity.BY_KEY["hk_type"].classes
+    names = table.BY_KEY["hk_type"].classes
     words = {row[0]: row[-1] for row in signs.TYPES.rows}
     page = opened(context, served.site.address)
     seen = set()

@@ -10,7 +10,7 @@ pytest.importorskip("uvicorn", reason="the extra 'studio' is not installed")
 
 from quintrig.exchange.formats import FORMATS
 from quintrig.figure import palette
-from quintrig.quantity import quantity
+from quintrig.quantities.table import quantity
 from studio_server import MODEL, Running
 
 CATENOID = 'kind = "catenoid"\nwaist = 1\nheight = 3\nunit = "mm"\n'

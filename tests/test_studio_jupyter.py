@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import quintrig
-from quintrig.studio.describe import as_model
-from quintrig.surface import Net, Surface
+from quintrig.geometry.surface import Net, Surface
+from quintrig.model.recognise import as_model
 
 pytest.importorskip("anywidget", reason="the extra 'jupyter' is not installed")
 
@@ -27,15 +27,15 @@ SURFACES = {
     "developable": quintrig.developable(PLANES, ((0, 0, 1, 0), (0, 0, 1, -5)), (1, -2)),
     "developable flipped": quintrig.developable(PLANES, ((0, 0, 1, 0), (0, 0, 1, -5)), flip=True),
     "sphere": quintrig.sphere(2.5, flip=True),
-    "ellipsoid": quintrig.reference.ellipsoid(3, 1.1, 0.7),
+    "ellipsoid": quintrig.ellipsoid(3, 1.1, 0.7),
     "cylinder": quintrig.cylinder(0.3, 7),
-    "cone": quintrig.reference.cone(1.7, 0.4),
+    "cone": quintrig.cone(1.7, 0.4),
     "torus": quintrig.torus(1.1, 2.3, flip=True),
-    "catenoid": quintrig.reference.catenoid(0.7, 3.1),
-    "helicoid": quintrig.reference.helicoid(1.3, -0.9),
-    "hyperbolic paraboloid": quintrig.reference.hyperbolic_paraboloid(1.7),
-    "monkey saddle": quintrig.reference.monkey_saddle(0.3, flip=True),
-    "enneper": quintrig.reference.enneper(1.2),
+    "catenoid": quintrig.catenoid(0.7, 3.1),
+    "helicoid": quintrig.helicoid(1.3, -0.9),
+    "hyperbolic paraboloid": quintrig.hyperbolic_paraboloid(1.7),
+    "monkey saddle": quintrig.monkey_saddle(0.3, flip=True),
+    "enneper": quintrig.enneper(1.2),
 }
 
 

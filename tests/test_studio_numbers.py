@@ -10,7 +10,8 @@ import pytest
 
 import quintrig
 from catalogue import SURFACES
-from quintrig.quantity import BY_KEY, QUANTITIES
+from quintrig.quantities import table
+from quintrig.quantities.table import BY_KEY, QUANTITIES
 from quintrig.studio import BUNDLE
 from random_models import RANDOM, displaced
 
@@ -177,7 +178,7 @@ def test_the_edge_cases_are_on_the_edge():
     assert (at("vertical wall", "slope") < 1e-12).all()
     assert (at("vertical wall", "slope") > 0).any()  # nothing but VERTICAL makes these infinite
     assert np.isposinf(at("vertical wall", "beta0")).all()
-    types = quintrig.quantity.BY_KEY["hk_type"].classes
+    types = table.BY_KEY["hk_type"].classes
     assert {types[int(code)] for code in at("hardly bent across", "hk_type")} == {"valley"}
     assert {types[int(code)] for code in at("bent enough across", "hk_type")} == {"pit"}
     assert {types[int(code)] for code in at("hardly bent", "hk_type")} == {"flat"}

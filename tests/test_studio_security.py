@@ -15,10 +15,11 @@ import pytest
 pytest.importorskip("uvicorn", reason="the extra 'studio' is not installed")
 
 import quintrig
-from quintrig.errors import ModelError, QuintrigError
-from quintrig.exchange import isolated, nets
-from quintrig.files import refuse_loss, refuse_unwritable, write_first, write_whole
+from quintrig.exchange import nets
+from quintrig.exchange.cad import isolated
 from quintrig.studio import patient
+from quintrig.support.errors import ModelError, QuintrigError
+from quintrig.support.files import refuse_loss, refuse_unwritable, write_first, write_whole
 from studio_server import MODEL, Running
 
 SPHERE = 'kind = "sphere"\n'

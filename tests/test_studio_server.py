@@ -190,8 +190,9 @@ def order(suffix, text=MODEL):
 
 
 def test_exports_are_those_of_the_exchange_package(running):
-    from quintrig.exchange import export, flatten
+    from quintrig.exchange import export
     from quintrig.exchange.formats import FAMILIES, FORMATS, suffixes
+    from quintrig.exchange.pattern import flatten
 
     assert {*export.SUFFIXES, *flatten.SUFFIXES} == {*suffixes(*FAMILIES)}
     listed = running.json("GET", "/api/formats")[1]["formats"]

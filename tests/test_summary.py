@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 import quintrig
-from quintrig.cautions import find_singular, shape_parameters
-from quintrig.classify import Thresholds
-from quintrig.summary import CLASSIFIED, EXTREMES, summarise
+from quintrig.analysis.cautions import find_singular, shape_parameters
+from quintrig.analysis.summary import CLASSIFIED, EXTREMES, summarise
+from quintrig.quantities.classify import Thresholds
 
 X, Y = np.meshgrid(np.arange(6.0), np.arange(6.0), indexing="ij")
 NET = np.stack([X, Y, 2 + 0.1 * np.random.default_rng(0).normal(size=(6, 6))], axis=-1)

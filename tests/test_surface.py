@@ -6,8 +6,9 @@ import pytest
 import oracle
 import quintrig
 from catalogue import SURFACES, wave
-from quintrig.basis import Bernstein, Trigonometric
-from quintrig.surface import Net, Surface
+from quintrig.basis.bernstein import Bernstein
+from quintrig.basis.trigonometric import Trigonometric
+from quintrig.geometry.surface import Net, Surface
 
 REFERENCE_POINTS = np.array([[0.11, 0.23], [0.31, 0.64], [0.58, 0.37], [0.83, 0.91]])
 
@@ -111,3 +112,18 @@ def test_values_do_not_change_with_the_arrays_they_came_from():
         surface.net[0, 0, 0] = 1.0
     with pytest.raises(AttributeError):
         surface.flip = True
+
+
+def test_a_value_is_one_line_in_a_console():
+    surface = quintrig.tensor(np.random.default_rng(1).normal(size=(6, 6, 3)), flip=True)
+    assert repr(surface) == "<Surface of 6 rows: Trigonometric by Trigonometric, flipped>"
+    assert repr(quintrig.torus()).count("\n") == 0
+    sample = quintrig.analyse(surface, *quintrig.grid(20, 30))
+    assert repr(sample).startswith("<Sample at 20 x 30 points: point, normal, ")
+    assert len(repr(sample)) < 120
+    keys = [{"kind": "sphere", "name": f"ball {i}"} for i in range(9)]
+    model = quintrig.Model.from_dict({"name": "Balls", "unit": "mm", "patch": keys})
+    assert repr(model) == (
+        "<Model 'Balls' in mm: 'ball 0' (sphere), 'ball 1' (sphere), 'ball 2' (sphere), 'ball 3' (sphere) and 5 more>"
+    )
+    assert repr(model.patches[2]) == "<Patch 'ball 2': sphere>"

@@ -8,12 +8,11 @@ import pytest
 
 import oracle
 import quintrig
-from quintrig.classify import HK_TYPES
-from quintrig.increments import terms
-from quintrig.integrate import integrals
-from quintrig.layers import find_layers
-from quintrig.sample import SINGULAR
-from quintrig.sweep.affine import amounts_above, is_affine, single_part, with_parameters
+from quintrig.analysis.edge_layers import find_layers
+from quintrig.analysis.integrate import integrals
+from quintrig.quantities.classify import HK_TYPES
+from quintrig.support.tolerance import SINGULAR
+from quintrig.sweep.affine import amounts_above, is_affine, single_part
 from quintrig.sweep.nodes import WIDEST, drawn_nodes, layer_classes
 from quintrig.sweep.part import Task, columns, summaries
 from quintrig.sweep.space import Axis, DesignSpace
@@ -57,7 +56,7 @@ def rows(task):
 
 def nodes_of(task, values, count):
     """Return the nodes and weights in u and in v that a sweep takes for a design."""
-    patch = with_parameters(task.built(), values)
+    patch = task.built().with_parameters(values)
     if is_affine(patch, task.space):
         widths = WIDEST * amounts_above(np.array([patch.shape]) + 4.0, patch.kind == "ruled")[0]
     else:
@@ -115,7 +114,7 @@ def test_summary_is_that_of_analyse_at_the_same_points(name, space):
     task = Task(model, None, space(model["kind"]), 12)
     patch = task.built()
     for values, found in rows(task):
-        surface = with_parameters(patch, values).surface
+        surface = patch.with_parameters(values).surface
         compare(found, expected(surface, nodes_of(task, values, 12)))
 
 
@@ -129,8 +128,8 @@ def test_affine_path_is_the_plain_path(name):
     assert is_affine(patch, task.space)
     for values, found in rows(task):
         (u, a), (v, b) = nodes_of(task, values, 16)
-        run = summariser(terms(patch.surface.blend), len(v))
-        part = single_part(with_parameters(patch, values).surface, u, v, len(v))
+        run = summariser(patch.surface.blend.terms, len(v))
+        part = single_part(patch.with_parameters(values).surface, u, v, len(v))
         plain = np.empty((1, len(COLUMNS)))
         run(part.rows, part.blend, np.empty((1, 0)), a, b, patch.surface.sign, SINGULAR, 1e-6, 1e-6, plain)
         compare(found, dict(zip(COLUMNS, plain[0], strict=True)))
@@ -153,7 +152,7 @@ def test_integrals_are_met_within_the_error_of_the_quadrature(name):
     coarse, fine = (rows(Task(model, None, DesignSpace(axes), points)) for points in (64, 128))
     patch = Task(model, None, DesignSpace(axes)).built()
     for (values, rough), (_, found) in zip(coarse, fine, strict=True):
-        exact = integrals(with_parameters(patch, values).surface)
+        exact = integrals(patch.with_parameters(values).surface)
         wanted = {
             "area": exact.area,
             "bending_energy": exact.bending_energy,
@@ -252,7 +251,7 @@ def test_designs_just_above_minus_four_are_as_good_as_any(name, shape):
     space = DesignSpace(tuple(Axis(name, value, value, 1) for name, value in zip(names, shape, strict=True)))
     task = Task(model, None, space)
     ((values, found),) = rows(task)
-    exact = integrals(with_parameters(task.built(), values).surface)
+    exact = integrals(task.built().with_parameters(values).surface)
     for key in ("area", "bending_energy", "thin_plate_energy"):
         assert exact[key].converged
         assert found[key] == pytest.approx(exact[key].value, rel=1e-3), key

@@ -4,12 +4,11 @@ import numpy as np
 import pytest
 
 from cli_runner import quintrig
-from quintrig.classify import Thresholds
-from quintrig.extremes import find_extremes
-from quintrig.model import load
-from quintrig.summary import summarise
+from quintrig.analysis.extremes import find_extremes
+from quintrig.analysis.summary import summarise
+from quintrig.model.model import load
+from quintrig.quantities.classify import Thresholds
 from quintrig.sweep import Axis, DesignSpace, Question, Task, count, load_sweep, open_sweep, run, select, select_refined
-from quintrig.sweep.affine import with_parameters
 
 pl = pytest.importorskip("polars")
 pytest.importorskip("pyarrow")
@@ -44,7 +43,7 @@ def sweep(tmp_path_factory):
 def surfaces(sweep, rows):
     names = sweep.task.space.names
     for values in zip(*(rows[name].tolist() for name in names), strict=True):
-        yield with_parameters(sweep.task.built(), dict(zip(names, values, strict=True))).surface
+        yield sweep.task.built().with_parameters(dict(zip(names, values, strict=True))).surface
 
 
 @pytest.fixture(scope="module")

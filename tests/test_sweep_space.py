@@ -1,11 +1,14 @@
 """Design spaces: what a range may say, and that designs depend on their number alone."""
 
+import tomllib
+
 import numpy as np
 import pytest
 
 import quintrig
+from quintrig.model.starter import starter
 from quintrig.sweep.part import Task
-from quintrig.sweep.space import Axis, DesignSpace, parameters, parse_axis
+from quintrig.sweep.space import Axis, DesignSpace, parse_axis
 
 TENSOR = {"kind": "tensor", "points": [[[i, j, i * j * 0.1] for j in range(6)] for i in range(6)]}
 PLANES = [[1.0 - 0.1 * i, 0.1 + 0.2 * i, 0.3, -10.0 - 0.2 * i] for i in range(6)]
@@ -78,7 +81,9 @@ def test_an_axis_made_by_hand_is_checked_too(low, high, count):
         (TENSOR, (("scale", 1.0, 2.0, 2),), "a tensor has alpha1, zeta1, alpha2, zeta2"),
         (STRIP, (("alpha1", -4.0, 1.0, 2),), "a developable has alpha, zeta"),
         (TENSOR | {"basis": "bernstein"}, (("alpha1", -4.0, 1.0, 2),), "has no parameters to vary"),
-        ({"kind": "sphere"}, (("alpha1", -4.0, 1.0, 2),), "a sphere has no parameters to vary"),
+        ({"kind": "sphere"}, (("alpha1", -4.0, 1.0, 2),), "a sphere has radius"),
+        ({"kind": "sphere"}, (("radius", -1.0, 1.0, 2),), "greater than 0"),
+        (tomllib.loads(starter("nurbs")), (("alpha1", -4.0, 1.0, 2),), "a nurbs has no parameters to vary"),
         (TENSOR, (), "expected at least one parameter"),
         (TENSOR, (("zeta1", -4.0, 1.0, 2), ("zeta1", 0.0, 1.0, 2)), "'zeta1' is given twice"),
         (
@@ -182,6 +187,7 @@ def test_parameters_are_those_of_the_model():
         (swung, ["alpha1", "zeta1", "alpha2", "zeta2", "scale"]),
         (swung | {"basis": "bernstein"}, ["scale"]),
         (STRIP, ["alpha", "zeta"]),
-        ({"kind": "torus"}, []),
+        ({"kind": "torus"}, ["major", "minor"]),
+        (tomllib.loads(starter("nurbs")), []),
     ):
-        assert list(parameters(quintrig.Model.from_dict(model).patch())) == names
+        assert list(quintrig.Model.from_dict(model).patch().definition.parameters) == names

@@ -13,8 +13,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from quintrig.classify import Thresholds
-from quintrig.errors import QuintrigError
+from quintrig.quantities.classify import Thresholds
+from quintrig.support.errors import QuintrigError
 from quintrig.sweep import Axis, DesignSpace, Question, Task, load_sweep, open_sweep, run, select
 from quintrig.sweep import store as sweep_store
 from quintrig.sweep.part import columns

@@ -7,10 +7,9 @@ import numpy as np
 import pytest
 
 import quintrig
-from quintrig.envelope import inner_regression
-from quintrig.extremes import find_extremes
-from quintrig.integrate import integrals
-from quintrig.sweep.affine import with_parameters
+from quintrig.analysis.extremes import find_extremes
+from quintrig.analysis.integrate import integrals
+from quintrig.geometry.envelope import inner_regression
 from quintrig.sweep.part import Task, columns, summaries
 from quintrig.sweep.space import Axis, DesignSpace
 
@@ -46,7 +45,7 @@ def swept_rows(model, shape, points=16):
     task = Task(model, None, space, points)
     values = dict(zip(names, shape, strict=True))
     row = dict(zip(columns(space), summaries(task, 0, 1)[0], strict=True))
-    return row, with_parameters(task.built(), values).surface
+    return row, task.built().with_parameters(values).surface
 
 
 @pytest.mark.parametrize("shape", SHAPES)

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 import quintrig
-from quintrig.quantity import BY_KEY, QUANTITIES
-from quintrig.table import STANDARD, tabulate
-from quintrig.typeset import WRITERS, shown, to_csv, to_json, to_latex, to_markdown
+from quintrig.analysis.table import STANDARD, tabulate
+from quintrig.exchange.tables import WRITERS, shown, to_csv, to_json, to_latex, to_markdown
+from quintrig.quantities.table import BY_KEY, QUANTITIES
 
 SECTION = [[0, 0, 0], [2, 0, 1], [4, 0, 3], [6, 0, 3], [8, 0, 1], [10, 0, 0]]
 TRAJECTORY = [[0, 0, 0], [0, 1, 3], [0, 3, 5], [0, 5, 5], [0, 7, 3], [0, 8, 0]]

@@ -8,15 +8,15 @@ import pytest
 
 import quintrig
 from cli_runner import quintrig as cli
-from quintrig.exchange.flatten import FlattenOptions, export_pattern
-from quintrig.exchange.pattern import PatternOptions, bends
-from quintrig.exchange.trim import area
-from quintrig.integrate import area_means, area_weights, integrals
-from quintrig.nurbs import nurbs
-from quintrig.polygon import polygon
-from quintrig.summary import summarise
-from quintrig.table import tabulate
-from quintrig.unroll import Sheet, unroll
+from quintrig.analysis.integrate import area_means, area_weights, integrals
+from quintrig.analysis.summary import summarise
+from quintrig.analysis.table import tabulate
+from quintrig.developables.unroll import Sheet, unroll
+from quintrig.exchange.cad.trim import area
+from quintrig.exchange.pattern.flatten import FlattenOptions, export_pattern
+from quintrig.exchange.pattern.layout import PatternOptions, bends
+from quintrig.geometry.nurbs import nurbs
+from quintrig.geometry.polygon import polygon
 
 PI = np.pi
 ROUND = 1e-9  # what is left of a loop's curves in its polygon
@@ -132,9 +132,9 @@ def test_shares_count_the_face_alone():
 def parts(tmp_path_factory):
     """Faces by name, as read from STEP files made by OpenCASCADE, each with its area and centroid's height there."""
     pytest.importorskip("OCP", reason="the extra 'cad' is not installed")
-    from quintrig.exchange import isolated
-    from quintrig.exchange.faces import to_model
-    from quintrig.exchange.occ import explored, module, quiet
+    from quintrig.exchange.cad import isolated
+    from quintrig.exchange.cad.faces import to_model
+    from quintrig.exchange.cad.occ import explored, module, quiet
 
     gp, prim = module("gp"), module("BRepPrimAPI")
     up, side = gp.gp_Dir(0, 0, 1), gp.gp_Dir(1, 0, 0)

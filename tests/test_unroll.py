@@ -10,12 +10,12 @@ import pytest
 
 import quintrig
 import shapes
-from quintrig.errors import QuintrigError
-from quintrig.exchange.drawing import LAYERS
-from quintrig.exchange.flatten import SUFFIXES, FlattenOptions, export_pattern, overlaps
-from quintrig.exchange.pattern import PatternOptions, bends, drawing, parts
-from quintrig.model import Model, Patch
-from quintrig.unroll import Sheet, unroll
+from quintrig.developables.unroll import Sheet, unroll
+from quintrig.exchange.pattern.drawing import LAYERS
+from quintrig.exchange.pattern.flatten import SUFFIXES, FlattenOptions, export_pattern, overlaps
+from quintrig.exchange.pattern.layout import PatternOptions, bends, drawing, parts
+from quintrig.model.model import Model, Patch
+from quintrig.support.errors import QuintrigError
 
 if not os.environ.get("CI"):
     pytest.importorskip("ezdxf", reason="needs the extra flat: pip install 'quintrig[flat]'")
@@ -63,7 +63,7 @@ def boundaries(surface, pattern, count=0):
 
 @pytest.mark.parametrize("name", STRIPS)
 def test_area_is_that_of_a_fine_mesh(name):
-    from quintrig.mesh import mesh
+    from quintrig.mesh.triangulate import mesh
 
     surface = STRIPS[name]
     result = mesh([surface], grid=(2, 1501) if name in ("cylinder", "cone") else (1501, 12))

@@ -6,57 +6,59 @@ Names are loaded on first use, so that ``import quintrig`` costs next to nothing
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from quintrig.support import display
+
 if TYPE_CHECKING:
-    from quintrig.agreement import compare_methods as compare_methods
-    from quintrig.classify import Thresholds as Thresholds
-    from quintrig.construct import ruled as ruled
-    from quintrig.construct import swept as swept
-    from quintrig.construct import swung as swung
-    from quintrig.construct import symmetric as symmetric
-    from quintrig.construct import tensor as tensor
-    from quintrig.curve import Curve as Curve
-    from quintrig.envelope import developable as developable
-    from quintrig.envelope import regression as regression
-    from quintrig.errors import ModelError as ModelError
-    from quintrig.extremes import find_extremes as find_extremes
-    from quintrig.hull import check_curve_hull as check_curve_hull
-    from quintrig.hull import check_hull as check_hull
-    from quintrig.integrate import integrals as integrals
-    from quintrig.model import Model as Model
-    from quintrig.model import load as load
-    from quintrig.reference import catenoid as catenoid
-    from quintrig.reference import cone as cone
-    from quintrig.reference import cylinder as cylinder
-    from quintrig.reference import ellipsoid as ellipsoid
-    from quintrig.reference import enneper as enneper
-    from quintrig.reference import helicoid as helicoid
-    from quintrig.reference import hyperbolic_paraboloid as hyperbolic_paraboloid
-    from quintrig.reference import monkey_saddle as monkey_saddle
-    from quintrig.reference import sphere as sphere
-    from quintrig.reference import torus as torus
-    from quintrig.sample import Sample as Sample
-    from quintrig.sample import analyse as analyse
-    from quintrig.sample import grid as grid
-    from quintrig.stream import analyse_blocks as analyse_blocks
-    from quintrig.summary import summarise as summarise
-    from quintrig.surface import Surface as Surface
+    from quintrig.analysis.agreement import compare_methods as compare_methods
+    from quintrig.analysis.extremes import find_extremes as find_extremes
+    from quintrig.analysis.integrate import integrals as integrals
+    from quintrig.analysis.sample import Sample as Sample
+    from quintrig.analysis.sample import analyse as analyse
+    from quintrig.analysis.stream import analyse_blocks as analyse_blocks
+    from quintrig.analysis.summary import summarise as summarise
+    from quintrig.enclosures.convex_hull import check_curve_hull as check_curve_hull
+    from quintrig.enclosures.convex_hull import check_hull as check_hull
+    from quintrig.geometry.closed_forms import catenoid as catenoid
+    from quintrig.geometry.closed_forms import cone as cone
+    from quintrig.geometry.closed_forms import cylinder as cylinder
+    from quintrig.geometry.closed_forms import ellipsoid as ellipsoid
+    from quintrig.geometry.closed_forms import enneper as enneper
+    from quintrig.geometry.closed_forms import helicoid as helicoid
+    from quintrig.geometry.closed_forms import hyperbolic_paraboloid as hyperbolic_paraboloid
+    from quintrig.geometry.closed_forms import monkey_saddle as monkey_saddle
+    from quintrig.geometry.closed_forms import sphere as sphere
+    from quintrig.geometry.closed_forms import torus as torus
+    from quintrig.geometry.constructions import ruled as ruled
+    from quintrig.geometry.constructions import swept as swept
+    from quintrig.geometry.constructions import swung as swung
+    from quintrig.geometry.constructions import symmetric as symmetric
+    from quintrig.geometry.constructions import tensor as tensor
+    from quintrig.geometry.curve import Curve as Curve
+    from quintrig.geometry.domain import grid as grid
+    from quintrig.geometry.envelope import developable as developable
+    from quintrig.geometry.envelope import regression as regression
+    from quintrig.geometry.surface import Surface as Surface
+    from quintrig.model.model import Model as Model
+    from quintrig.model.model import load as load
+    from quintrig.quantities.classify import Thresholds as Thresholds
+    from quintrig.support.errors import ModelError as ModelError
 
 __version__ = "0.1.0"
 
 _HOME = {
-    "agreement": ("compare_methods",),
-    "extremes": ("find_extremes",),
-    "hull": ("check_curve_hull", "check_hull"),
-    "integrate": ("integrals",),
-    "summary": ("summarise",),
-    "stream": ("analyse_blocks",),
-    "classify": ("Thresholds",),
-    "construct": ("ruled", "swept", "swung", "symmetric", "tensor"),
-    "curve": ("Curve",),
-    "envelope": ("developable", "regression"),
-    "errors": ("ModelError",),
-    "model": ("Model", "load"),
-    "reference": (
+    "analysis.agreement": ("compare_methods",),
+    "analysis.extremes": ("find_extremes",),
+    "enclosures.convex_hull": ("check_curve_hull", "check_hull"),
+    "analysis.integrate": ("integrals",),
+    "analysis.summary": ("summarise",),
+    "analysis.stream": ("analyse_blocks",),
+    "quantities.classify": ("Thresholds",),
+    "geometry.constructions": ("ruled", "swept", "swung", "symmetric", "tensor"),
+    "geometry.curve": ("Curve",),
+    "geometry.envelope": ("developable", "regression"),
+    "support.errors": ("ModelError",),
+    "model.model": ("Model", "load"),
+    "geometry.closed_forms": (
         "catenoid",
         "cone",
         "cylinder",
@@ -68,9 +70,11 @@ _HOME = {
         "sphere",
         "torus",
     ),
-    "sample": ("Sample", "analyse", "grid"),
-    "surface": ("Surface",),
+    "analysis.sample": ("Sample", "analyse"),
+    "geometry.domain": ("grid",),
+    "geometry.surface": ("Surface",),
 }
+display.register(lambda value: import_module("quintrig.studio.notebook").bundle(value))
 _WHERE = {name: module for module, names in _HOME.items() for name in names}
 
 

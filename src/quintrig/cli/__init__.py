@@ -1,13 +1,15 @@
 """The command line: ``quintrig COMMAND ...``. Only this package prints or exits."""
 
 import sys
+import warnings
 
 
 def main() -> None:
     """Run the command line and exit: 0 done, 1 a check found problems, 2 a mistake in what was asked."""
     from quintrig.cli.app import build
-    from quintrig.cli.ending import run
+    from quintrig.cli.ending import run, warn
     from quintrig.cli.streams import prepare
 
     prepare()
+    warnings.showwarning = warn
     sys.exit(run(build, sys.argv[1:]))

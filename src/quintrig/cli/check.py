@@ -9,14 +9,14 @@ import typer
 from quintrig.cli import session
 from quintrig.cli.ending import FOUND, MISTAKE, printable
 from quintrig.cli.options import Whole
-from quintrig.errors import ModelError
+from quintrig.support.errors import ModelError
 
 if TYPE_CHECKING:
     from rich.console import Console
 
-    from quintrig.extremes import Extreme
-    from quintrig.model import Model, Patch
-    from quintrig.summary import Summary
+    from quintrig.analysis.extremes import Extreme
+    from quintrig.analysis.summary import Summary
+    from quintrig.model.model import Model, Patch
 
 _EPILOG = session.examples(
     ("quintrig check lid.toml", "tells kind, size, shape parameters, normal, curvature and warnings"),
@@ -70,7 +70,7 @@ def _tell(path: Path, model: "Model", console: "Console") -> int:
 def _tell_patch(patch: "Patch", model: "Model", console: "Console") -> int:
     from rich.markup import escape
 
-    from quintrig.summary import summarise
+    from quintrig.analysis.summary import summarise
 
     summary = summarise(patch.surface, model.unit)
     if len(model.patches) > 1:
@@ -88,14 +88,14 @@ def _tell_patch(patch: "Patch", model: "Model", console: "Console") -> int:
 
 def _facts(patch: "Patch", unit: str, summary: "Summary") -> list[tuple[str, str]]:
     """Return the lines that describe a patch: what, and its value in words."""
-    from quintrig.typeset import shown
+    from quintrig.exchange.tables import shown
 
     box = " × ".join(shown(float(extent), 4) for extent in summary.box[1] - summary.box[0])
     area = _quantity(summary.integrals.area.value, f"{unit}²" if unit else "")
     facts = [("kind", _kind(patch)), ("size", f"{_quantity(box, unit)} along x, y, z; area {area}")]
     if not unit:
         facts.append(("unit", "none stated: plain numbers"))
-    if patch.shape and not _classical(patch):
+    if patch.shape and not patch.definition.classical:
         names = ("α1", "ζ1", "α2", "ζ2") if len(patch.shape) == 4 else ("α", "ζ")
         facts.append(("shape", ", ".join(f"{n} = {value:g}" for n, value in zip(names, patch.shape, strict=True))))
     facts.append(("normal", _normal(patch, summary)))
@@ -106,16 +106,13 @@ def _facts(patch: "Patch", unit: str, summary: "Summary") -> list[tuple[str, str
 def _kind(patch: "Patch") -> str:
     words = (type(patch.definition).__doc__ or "").splitlines()[0].rstrip(".")
     first = words if words.partition("'")[0].lower() == patch.kind else f"{words[0].lower()}{words[1:]}"  # Enneper's
-    text = first + (", classical Bernstein basis, on which shape parameters do not act" if _classical(patch) else "")
-    return text if text == patch.kind else f"{patch.kind}: {text}"
-
-
-def _classical(patch: "Patch") -> bool:
-    return getattr(patch.definition, "basis", "") == "bernstein"
+    if patch.definition.classical:
+        first += ", classical Bernstein basis, on which shape parameters do not act"
+    return first if first == patch.kind else f"{patch.kind}: {first}"
 
 
 def _normal(patch: "Patch", summary: "Summary") -> str:
-    from quintrig.sample import analyse
+    from quintrig.analysis.sample import analyse
 
     middle = analyse(patch.surface, 0.5, 0.5, ("normal",)).normal
     along = summary.orientation.removeprefix("the normal points ")
@@ -124,8 +121,8 @@ def _normal(patch: "Patch", summary: "Summary") -> str:
 
 
 def _range(key: str, unit: str, summary: "Summary") -> str:
-    from quintrig.quantity import quantity
-    from quintrig.typeset import shown
+    from quintrig.exchange.tables import shown
+    from quintrig.quantities.table import quantity
 
     row, found = quantity(key), summary.extremes[key]
     if found.minimum.status == "undefined":
@@ -144,6 +141,6 @@ def _end(extreme: "Extreme", limit: float, rounding: float) -> float:
 
 
 def _quantity(value: float | str, unit: str) -> str:
-    from quintrig.typeset import shown
+    from quintrig.exchange.tables import shown
 
     return f"{value if isinstance(value, str) else shown(value, 4)} {unit}".rstrip()

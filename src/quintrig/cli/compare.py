@@ -8,14 +8,14 @@ import typer
 from quintrig.cli import session
 from quintrig.cli.options import WhichPatch
 from quintrig.cli.show import print_table
-from quintrig.errors import QuintrigError
+from quintrig.support.errors import QuintrigError
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from quintrig.compare import Variant
+    from quintrig.analysis.table import Table
     from quintrig.figure import View
-    from quintrig.table import Table
+    from quintrig.shaping.shape_effect import Variant
 
 _MOST = 12
 
@@ -61,8 +61,8 @@ def compare(
 
     keys, seen = read_keys(quantities), read_view(view)
     loaded = session.load(model)
-    from quintrig.compare import beside_own, intensities, standard_shapes, variant
-    from quintrig.files import refuse_unwritable, write_whole
+    from quintrig.shaping.shape_effect import beside_own, intensities, standard_shapes, variant
+    from quintrig.support.files import refuse_unwritable, write_whole
 
     one = loaded.patch(patch)
     shapes = [session.numbers(text, None, "--shape") for text in shape] if shape else standard_shapes(one)
@@ -100,8 +100,8 @@ def _results(
     progress: "Callable[[str, int, int], None]",
 ) -> dict[Path, str | bytes]:
     """Return the files to write, the page first: all is made before anything is written."""
-    from quintrig.compare_page import page, pictures
-    from quintrig.typeset import SUFFIXES, WRITERS
+    from quintrig.exchange.tables import SUFFIXES, WRITERS
+    from quintrig.report.shape_effect_page import page, pictures
 
     drawn = pictures(found, keys, view, table.title.partition(": effect")[0], progress)
     if out.suffix.lower() == ".html":

@@ -10,7 +10,7 @@ from types import FrameType
 
 import typer
 
-from quintrig.errors import ModelError, QuintrigError, printable
+from quintrig.support.errors import ModelError, QuintrigError, printable
 
 FOUND, MISTAKE, FAULT, INTERRUPTED = 1, 2, 70, 130
 """Exit codes: a check found problems, the user's mistake, a fault of quintrig, Ctrl-C."""
@@ -68,6 +68,11 @@ def _run(build: Callable[[], typer.Typer], arguments: Sequence[str]) -> int:
         return say("interrupted", INTERRUPTED)
     # Outside standalone mode typer returns the code of an Exit, or else what the command returned.
     return result if isinstance(result, int) else 0
+
+
+def warn(message: Warning | str, category: type[Warning], *_: object) -> None:
+    """Say a warning in one line on stderr, whatever place in the code it comes from."""
+    sys.stderr.write(f"quintrig: warning: {printable(str(message))}\n")
 
 
 def _tell(error: Exception) -> int:

@@ -66,12 +66,12 @@ def export(
     OUT-section.csv and OUT-trajectory.csv, and there is no OUT.csv. Every file written is named. Other files are
     replaced, and this is said; model files only with --force, and never the one that is read.
     """
-    from quintrig.exchange.cad import CadOptions
+    from quintrig.exchange.cad.fit import FitOptions
+    from quintrig.exchange.cad.save import CadOptions
     from quintrig.exchange.export import ExportOptions, MeshOptions, targets
     from quintrig.exchange.export import export as write
-    from quintrig.exchange.fit import FitOptions
     from quintrig.exchange.imports import open_model
-    from quintrig.files import refuse_loss
+    from quintrig.support.files import refuse_loss
 
     if continuity is not None and fit is None:
         raise ValueError("--continuity: belongs to a fit; give its degree with --fit")

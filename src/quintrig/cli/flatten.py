@@ -55,10 +55,10 @@ def flatten(
     that is not developable is refused with what flattening would distort, and one whose edge of regression lies
     inside with the place where it does.
     """
-    from quintrig.exchange.flatten import FlattenOptions, export_pattern
-    from quintrig.exchange.pattern import PatternOptions
-    from quintrig.files import refuse_loss
-    from quintrig.unroll import Sheet
+    from quintrig.developables.unroll import Sheet
+    from quintrig.exchange.pattern.flatten import FlattenOptions, export_pattern
+    from quintrig.exchange.pattern.layout import PatternOptions
+    from quintrig.support.files import refuse_loss
 
     stock = None if sheet is None else _size(sheet)
     drawing = PatternOptions(step, stock, margin)
@@ -73,7 +73,7 @@ def flatten(
 
 def _size(text: str) -> tuple[float, float]:
     """Read WxH; ValueError naming the option."""
-    from quintrig.numerals import real
+    from quintrig.support.numerals import real
 
     words = text.lower().replace("×", "x").split("x")
     try:

@@ -35,7 +35,7 @@ def grid(
 
     The file or folder appears when it is complete. Units are written beside the data.
     """
-    from quintrig.errors import QuintrigError
+    from quintrig.support.errors import QuintrigError
 
     if output.suffix not in (".zarr", ".parquet"):
         raise QuintrigError(f"{output}: expected a name ending in .zarr or .parquet")
@@ -43,7 +43,7 @@ def grid(
     loaded = session.load(model, face)
     surface = loaded.patch(patch).surface
     keys = [word.strip() for word in quantities.split(",")]
-    from quintrig.stream import write_parquet, write_zarr
+    from quintrig.analysis.stream import write_parquet, write_zarr
 
     replaced = output.exists()
     write = write_zarr if output.suffix == ".zarr" else write_parquet

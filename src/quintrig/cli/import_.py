@@ -9,8 +9,8 @@ from quintrig.cli import session
 from quintrig.cli.options import Force
 
 if TYPE_CHECKING:
-    from quintrig.arrays import FloatArray
-    from quintrig.model import Model
+    from quintrig.model.model import Model
+    from quintrig.support.arrays import FloatArray
 
 _EPILOG = session.examples(
     ("quintrig import part.step --list", "what the file holds"),
@@ -53,8 +53,8 @@ def import_(
     A face becomes a NURBS patch with its trim; every other command reads CAD files directly too. A model file that
     exists is replaced only with --force, and never the one that is read.
     """
-    from quintrig.errors import QuintrigError
     from quintrig.exchange.imports import CAD_SUFFIXES, contents
+    from quintrig.support.errors import QuintrigError
 
     if listing:
         if file.suffix.lower() not in CAD_SUFFIXES:
@@ -86,7 +86,7 @@ def import_(
 
 def _write(model: "Model", output: Path, force: bool, *sources: Path) -> None:
     from quintrig.exchange.export import export, targets
-    from quintrig.files import refuse_loss
+    from quintrig.support.files import refuse_loss
 
     for target in targets(model, output):
         refuse_loss(target, *sources, force=force)
@@ -106,7 +106,7 @@ def _net(
     force: bool,
 ) -> None:
     """Write a curve's or face's control points as CSV, or into a model."""
-    from quintrig.errors import QuintrigError
+    from quintrig.support.errors import QuintrigError
 
     points = _points(file, face, curve, shape, raw)
     if into is None:
@@ -126,7 +126,7 @@ def _net(
 def _points(file: Path, face: list[int] | None, curve: int | None, shape: str, raw: bool) -> "FloatArray":
     import numpy as np
 
-    from quintrig.exchange.faces import pick_curve, to_model
+    from quintrig.exchange.cad.faces import pick_curve, to_model
     from quintrig.exchange.imports import CAD_SUFFIXES, contents
     from quintrig.exchange.nets import polygon, read_points
 

@@ -39,7 +39,7 @@ def new(
 
     Edit its points, then look at it with quintrig check, plot and report.
     """
-    from quintrig.starter import starter
+    from quintrig.model.starter import starter
 
     text = starter(kind)
     target = output or Path(f"{kind}.toml")

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from quintrig.figure import Mark, Scene, View
-    from quintrig.model import Model, Patch
+    from quintrig.model.model import Model, Patch
 
 _EPILOG = session.examples(
     ("quintrig plot lid.toml -o lid.png", "the surface, seen obliquely, with its normal"),
@@ -77,7 +77,7 @@ def plot(
         chosen = tuple(one.with_shape(values) for one in chosen)
     from quintrig.figure import save
     from quintrig.figure.save import kind_of
-    from quintrig.files import refuse_unwritable
+    from quintrig.support.files import refuse_unwritable
 
     kind_of(output)
     refuse_unwritable(output)
@@ -92,7 +92,7 @@ def plot(
 
 def read_keys(text: str) -> list[str | None]:
     """Return the keys asked for, None for the plain surface; ValueError for one that is no scalar or class."""
-    from quintrig.quantity import quantity
+    from quintrig.quantities.table import quantity
 
     keys = [None if word.strip() == "surface" else quantity(word.strip()).key for word in text.split(",")]
     for key in keys:
@@ -102,8 +102,8 @@ def read_keys(text: str) -> list[str | None]:
 
 
 def _marks(at: Sequence[str]) -> "tuple[Mark, ...]":
-    from quintrig.arrays import parameter
     from quintrig.figure import Mark
+    from quintrig.support.arrays import parameter
 
     pairs = [session.numbers(text, 2, "--at") for text in at]
     for pair in pairs:
@@ -146,7 +146,7 @@ def _flat(
     model: "Model", chosen: "Sequence[Patch]", keys: list[str | None], marks: "tuple[Mark, ...]", width: float
 ) -> "Figure":
     from quintrig import figure
-    from quintrig.errors import ModelError
+    from quintrig.support.errors import ModelError
 
     wanted = [key for key in keys if key is not None]
     if not wanted:

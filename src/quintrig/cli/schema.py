@@ -24,6 +24,6 @@ def schema(
     """Print the JSON Schema of model files."""
     import json
 
-    from quintrig.schema import json_schema
+    from quintrig.model.schema import json_schema
 
     session.deliver(json.dumps(json_schema(), indent=2, ensure_ascii=False) + "\n", output)

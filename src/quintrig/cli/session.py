@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING
 import typer
 
 from quintrig.cli.ending import MISTAKE, say
-from quintrig.errors import printable
+from quintrig.support.errors import printable
 
 if TYPE_CHECKING:
     from rich.console import Console
 
     from quintrig.exchange.export import Written
-    from quintrig.model import Model, Patch
+    from quintrig.model.model import Model, Patch
 
 
 def load(path: Path, face: int | None = None, whole: bool = False) -> "Model":
@@ -30,12 +30,12 @@ def load(path: Path, face: int | None = None, whole: bool = False) -> "Model":
 
 def _load(path: Path, face: int | None) -> "Model":
     if face is not None or path.suffix.lower() not in (".toml", ".json"):
-        from quintrig.exchange import isolated
+        from quintrig.exchange.cad import isolated
         from quintrig.exchange.imports import open_model
 
         if face is not None or path.suffix.lower() in isolated.SUFFIXES:
             return open_model(path, None if face is None else [face])
-    from quintrig import model
+    from quintrig.model import model
 
     return model.load(path)
 
@@ -139,7 +139,7 @@ def deliver(text: str, file: Path | None, *sources: Path | None, force: bool | N
     if file is None or str(file) == "-":
         emit(text)
         return
-    from quintrig.files import refuse_loss, write_whole
+    from quintrig.support.files import refuse_loss, write_whole
 
     refuse_loss(file, *sources, force=force)
     replaced = file.is_file()
@@ -148,7 +148,7 @@ def deliver(text: str, file: Path | None, *sources: Path | None, force: bool | N
 
 def numbers(text: str, count: int | None, name: str) -> tuple[float, ...]:
     """Read numbers separated by commas; ValueError naming the option, what was expected and what was found."""
-    from quintrig.numerals import real
+    from quintrig.support.numerals import real
 
     words = text.split(",")
     expected = f"{count} numbers" if count else "numbers"

@@ -9,7 +9,7 @@ from quintrig.cli import session
 if TYPE_CHECKING:
     from rich.console import Console
 
-    from quintrig.table import Column, Table
+    from quintrig.analysis.table import Column, Table
 
 
 def print_table(table: "Table", console: "Console") -> None:
@@ -31,7 +31,7 @@ def list_quantities(wanted: bool) -> None:
     from rich import box
     from rich.table import Table as Drawn
 
-    from quintrig.quantity import QUANTITIES
+    from quintrig.quantities.table import QUANTITIES
 
     drawn = Drawn(box=box.SIMPLE_HEAD, pad_edge=False)
     for heading in ("key", "symbol", "what it is", "unit (mm)"):
@@ -58,7 +58,7 @@ def _fitting(table: "Table", width: int) -> "list[tuple[Column, ...]]":
 
 
 def _width(column: "Column") -> int:
-    from quintrig.typeset import shown
+    from quintrig.exchange.tables import shown
 
     # Two spaces between columns; a heading breaks between symbol and unit.
     words = max(len(column.symbol), len(column.unit) + 2 * bool(column.unit))
@@ -70,7 +70,7 @@ def _drawn(columns: "tuple[Column, ...]", lead: int) -> object:
     from rich.table import Table as Drawn
     from rich.text import Text
 
-    from quintrig.typeset import shown
+    from quintrig.exchange.tables import shown
 
     drawn = Drawn(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 1, 0, 0))
     for index, column in enumerate(columns):

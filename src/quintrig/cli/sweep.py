@@ -7,10 +7,10 @@ import typer
 
 from quintrig.cli import session
 from quintrig.cli.options import WhichPatch
-from quintrig.errors import printable
+from quintrig.support.errors import printable
 
 if TYPE_CHECKING:
-    from quintrig.arrays import FloatArray
+    from quintrig.support.arrays import FloatArray
     from quintrig.sweep.query import Question
     from quintrig.sweep.refine import Refined
     from quintrig.sweep.store import Sweep
@@ -97,7 +97,7 @@ def sweep(
 def _check_picture(file: Path) -> None:
     """Raise QuintrigError, before the work, for a picture that could not be written after it."""
     from quintrig.figure.save import kind_of
-    from quintrig.files import refuse_unwritable
+    from quintrig.support.files import refuse_unwritable
 
     kind_of(file)
     refuse_unwritable(file)
@@ -158,7 +158,7 @@ def _run(sweep: "Sweep", scheduler: str | None) -> None:
 
 def _answer(found: "Sweep", question: "Question", top: int, plot: Path | None) -> None:
     """List the designs asked for, and draw them."""
-    from quintrig.integrate import orientation
+    from quintrig.analysis.integrate import orientation
     from quintrig.sweep.query import count, select
     from quintrig.sweep.refine import select_refined
 
@@ -205,8 +205,8 @@ def _list(rows: "dict[str, FloatArray]", found: "Sweep") -> None:
     """Print the designs in tables as wide as the screen."""
     from rich.table import Table
 
+    from quintrig.exchange.tables import shown
     from quintrig.sweep.part import column_unit
-    from quintrig.typeset import shown
 
     console = session.output()
     kept = [name for name, values in rows.items() if not name.startswith("share_") or (values > 0.0).any()]

@@ -11,7 +11,7 @@ from quintrig.cli.options import Face, Listing, ModelFile, WhichPatch, Whole
 from quintrig.cli.show import print_table
 
 if TYPE_CHECKING:
-    from quintrig.arrays import FloatArray
+    from quintrig.support.arrays import FloatArray
 
 _MOST = 250_000  # points: a table keeps all its cells in memory; quintrig grid does not
 _MOST_SHOWN = 2_500
@@ -77,8 +77,8 @@ def table(
             f"--format: expected csv, json, md or latex for {count:,} points; the screen shows at most {_MOST_SHOWN:,}"
         )
     loaded = session.load(model, face)
-    from quintrig.table import tabulate
-    from quintrig.typeset import WRITERS
+    from quintrig.analysis.table import tabulate
+    from quintrig.exchange.tables import WRITERS
 
     one = loaded.patch(patch)
     keys = [word.strip() for word in quantities.split(",")] if quantities is not None else None
@@ -92,7 +92,7 @@ def table(
 
 def _format(form: str | None, output: Path | None) -> str:
     """Return the format asked for, or the one of the file's ending; ValueError where neither tells."""
-    from quintrig.typeset import SUFFIXES
+    from quintrig.exchange.tables import SUFFIXES
 
     if output is None:
         return form or "text"
@@ -115,7 +115,7 @@ def _points(at: Sequence[str] | None, grid: str | None, file: Path | None) -> "t
         return pairs[:, 0], pairs[:, 1]
     if file is not None:
         return _from_file(file)
-    from quintrig.sample import grid as mesh
+    from quintrig.geometry.domain import grid as mesh
 
     return mesh(*session.counts(grid or "5x5", "--grid", _MOST, "quintrig grid writes any number"))
 
@@ -123,7 +123,7 @@ def _points(at: Sequence[str] | None, grid: str | None, file: Path | None) -> "t
 def _from_file(file: Path) -> "tuple[FloatArray, FloatArray]":
     import numpy as np
 
-    from quintrig.model import read_rows
+    from quintrig.model.model import read_rows
 
     rows = read_rows(file)
     for number, row in rows.items():

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from quintrig.cli import session
-from quintrig.errors import QuintrigError
+from quintrig.support.errors import QuintrigError
 
 _EPILOG = session.examples(
     ("quintrig view lid.toml", "opens the model in the browser, to look at and to shape"),

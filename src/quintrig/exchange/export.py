@@ -3,12 +3,14 @@
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from quintrig.errors import QuintrigError, nearest
-from quintrig.exchange import cad, meshes, nets
-from quintrig.exchange.cad import CadOptions, export_cad
-from quintrig.exchange.meshes import MeshOptions, export_mesh
+from quintrig.exchange import nets
+from quintrig.exchange.cad import save as cad
+from quintrig.exchange.cad.save import CadOptions, export_cad
+from quintrig.exchange.mesh import write as meshes
+from quintrig.exchange.mesh.write import MeshOptions, export_mesh
 from quintrig.exchange.nets import export_net, net_paths
-from quintrig.model import Model
+from quintrig.model.model import Model
+from quintrig.support.errors import QuintrigError, nearest
 
 SUFFIXES = (*cad.SUFFIXES, *meshes.SUFFIXES, *nets.SUFFIXES)
 """Every ending that ``export`` knows."""

@@ -3,10 +3,10 @@
 from collections.abc import Sequence
 from pathlib import Path
 
-from quintrig.errors import QuintrigError
-from quintrig.exchange import isolated
-from quintrig.exchange.faces import Contents, to_model
-from quintrig.model import Model, load
+from quintrig.exchange.cad import isolated
+from quintrig.exchange.cad.faces import Contents, to_model
+from quintrig.model.model import Model, load
+from quintrig.support.errors import QuintrigError
 
 CAD_SUFFIXES = isolated.SUFFIXES
 """Endings of the files that are read as CAD."""

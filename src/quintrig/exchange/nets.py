@@ -7,18 +7,18 @@ from typing import Any, cast
 
 import numpy as np
 
-from quintrig.arrays import FloatArray, frozen
-from quintrig.basis import Trigonometric
-from quintrig.bspline import normalised
-from quintrig.definition import KINDS
-from quintrig.errors import ModelError, QuintrigError, nearest, printable
-from quintrig.exchange.faces import SpaceCurve
+from quintrig.basis.bspline import normalised
+from quintrig.basis.rational import RIGHT_ANGLE
+from quintrig.basis.trigonometric import Trigonometric
+from quintrig.exchange.cad.faces import SpaceCurve
 from quintrig.exchange.formats import suffixes
-from quintrig.exchange.toml import to_toml
-from quintrig.files import write_whole
-from quintrig.model import Model, in_rows, read_net, read_text
-from quintrig.parsing import parse
-from quintrig.rational import RIGHT_ANGLE
+from quintrig.model.kinds.registry import kinds
+from quintrig.model.model import Model, in_rows, read_net, read_text
+from quintrig.model.toml import to_toml
+from quintrig.support.arrays import FloatArray, frozen
+from quintrig.support.errors import ModelError, QuintrigError, nearest, printable
+from quintrig.support.files import write_whole
+from quintrig.support.parsing import parse
 
 SUFFIXES = suffixes("net", "model")
 """Endings of the files that hold control nets: numbers alone, or whole models."""
@@ -145,7 +145,7 @@ def _in_rows(path: Path, data: Any, kind: str) -> Any:
     """Return a net as rows of points; points in one list, as in a CSV, go into rows of as many as the kind has."""
     points = cast(list[Any], data) if isinstance(data, list) else []
     flat = points and isinstance(points[0], list) and not any(isinstance(x, list) for x in cast(list[Any], points[0]))
-    counts = KINDS[kind].counts.get("points", ())
+    counts = kinds()[kind].counts.get("points", ())
     if not flat or len(counts) != 2:
         return cast(Any, data)
     try:

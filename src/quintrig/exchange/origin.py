@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from quintrig.model import Model
-from quintrig.rounding import rounding
-from quintrig.sample import grid
-from quintrig.surface import Surface
+from quintrig.geometry.domain import grid
+from quintrig.geometry.surface import Surface
+from quintrig.model.model import Model
+from quintrig.support.tolerance import rounding
 
 _TOLD = 1e-10
 """Rounding of the coordinates, relative to a surface's size, that the user should know of."""

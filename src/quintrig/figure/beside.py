@@ -8,7 +8,6 @@ from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from quintrig.classify import Thresholds
 from quintrig.figure.camera import BACK, SIDE, TOP
 from quintrig.figure.field import common_limits, facet_fields
 from quintrig.figure.flat import draw_colours, draw_map, draw_marks, dress, lines_note, map_axes, map_fields, zero_sets
@@ -20,7 +19,8 @@ from quintrig.figure.sheet import columns_for, sheet
 from quintrig.figure.space import draw_space
 from quintrig.figure.whole import panel_title, several
 from quintrig.figure.wording import note
-from quintrig.surface import Surface
+from quintrig.geometry.surface import Surface
+from quintrig.quantities.classify import Thresholds
 
 
 def comparison(

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from quintrig.arrays import BoolArray, FloatArray
+from quintrig.support.arrays import BoolArray, FloatArray
 
 
 @dataclass(frozen=True)

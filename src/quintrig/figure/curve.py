@@ -10,15 +10,15 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 from scipy.spatial import ConvexHull, QhullError
 
-from quintrig.arrays import FloatArray
-from quintrig.curve import Curve
+from quintrig.basis.functions import Functions
 from quintrig.figure.legend import draw_class_list, list_height
 from quintrig.figure.palette import INK, SEQUENTIAL, SERIES
 from quintrig.figure.scene import Scene, Trace
 from quintrig.figure.sheet import Area, Axes, sheet
 from quintrig.figure.whole import space_picture
 from quintrig.figure.wording import exponent, number_text, with_unit
-from quintrig.functions import Functions
+from quintrig.geometry.curve import Curve
+from quintrig.support.arrays import FloatArray
 
 _SIZE = 8.0
 _POLYGON = "#8a8a8a"

@@ -3,14 +3,14 @@
 import numpy as np
 from matplotlib.figure import Figure
 
-from quintrig.arrays import FloatArray
-from quintrig.classify import HK_TYPES, SHAPE_CLASSES
+from quintrig.basis.elementary import Powers
 from quintrig.figure.camera import View
 from quintrig.figure.palette import CLASS_COLOURS, INK
 from quintrig.figure.sheet import Area, Axes, new_figure
 from quintrig.figure.space import Scene, draw_space
-from quintrig.functions import Powers
-from quintrig.surface import Net, Surface
+from quintrig.geometry.surface import Net, Surface
+from quintrig.quantities.classify import HK_TYPES, SHAPE_CLASSES
+from quintrig.support.arrays import FloatArray
 
 _VIEW = View("oblique view", -60.0, 24.0)
 _BOX = (np.array([-0.95, -0.95, -0.55]), np.array([0.95, 0.95, 0.55]))

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from quintrig.arrays import FloatArray
-from quintrig.envelope import inner_regression
-from quintrig.surface import Surface
+from quintrig.geometry.envelope import inner_regression
+from quintrig.geometry.surface import Surface
+from quintrig.support.arrays import FloatArray
 
 
 def regression_note(surface: Surface) -> str:

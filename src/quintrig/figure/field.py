@@ -8,12 +8,14 @@ import numpy as np
 from contourpy import LineType, contour_generator
 from numpy.typing import NDArray
 
-from quintrig.arrays import BoolArray, FloatArray
-from quintrig.classify import Thresholds
-from quintrig.figure.palette import NOISE, Limits, class_colours, limits, real_colours
-from quintrig.quantity import Quantity, quantity
-from quintrig.sample import Sample, analyse, face_grid
-from quintrig.surface import Surface
+from quintrig.analysis.sample import Sample, analyse
+from quintrig.figure.palette import Limits, class_colours, limits, real_colours
+from quintrig.geometry.domain import face_grid
+from quintrig.geometry.surface import Surface
+from quintrig.quantities.classify import Thresholds
+from quintrig.quantities.table import Quantity, quantity
+from quintrig.support.arrays import BoolArray, FloatArray
+from quintrig.support.tolerance import SAME_COLOUR
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,7 +59,7 @@ def field(surface: Surface, key: str, u: FloatArray, v: FloatArray, thresholds: 
         noise = np.fmax(noise, sample["curvedness"] ** -q.power)
     inside = np.broadcast_to(surface.inside(sample.u, sample.v), sample.shape)
     values = np.where(inside, sample[key], 0 if q.colour == "classes" else np.nan).astype(sample[key].dtype)
-    return Field(q, u, v, values, scale, NOISE * noise, inside)
+    return Field(q, u, v, values, scale, SAME_COLOUR * noise, inside)
 
 
 def facet_fields(

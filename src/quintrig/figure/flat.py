@@ -5,16 +5,16 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from matplotlib import patheffects
 
-from quintrig.arrays import FloatArray
-from quintrig.classify import Thresholds
 from quintrig.figure.edge import regression_parameters
 from quintrig.figure.field import Field, facet_fields, field, zero_lines
 from quintrig.figure.palette import INK, REGRESSION, UNDEFINED, Limits
 from quintrig.figure.scene import Mark
 from quintrig.figure.sheet import Area, Axes, drawable
 from quintrig.figure.wording import zeros_note
-from quintrig.quantity import quantity
-from quintrig.surface import Surface
+from quintrig.geometry.surface import Surface
+from quintrig.quantities.classify import Thresholds
+from quintrig.quantities.table import quantity
+from quintrig.support.arrays import FloatArray
 
 _SIZE = 7.5
 Zeros = Mapping[str, tuple[FloatArray, ...]]

@@ -9,11 +9,11 @@ from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.ticker import MaxNLocator
 from scipy.spatial import ConvexHull
 
-from quintrig.arrays import FloatArray
 from quintrig.figure.camera import View
 from quintrig.figure.palette import INK
 from quintrig.figure.sheet import Axes, points_wide
 from quintrig.figure.wording import exponent, tick_texts, with_unit
+from quintrig.support.arrays import FloatArray
 
 _MARGINS = (42.0, 30.0, 36.0, 8.0)  # points kept free for tick labels: left, right, bottom, top
 _NARROW = (34.0, 22.0, 36.0, 8.0)

@@ -12,7 +12,7 @@ from quintrig.figure.field import Field
 from quintrig.figure.palette import CLASS_COLOURS, INK, UNDEFINED, Limits, colour_map
 from quintrig.figure.sheet import Area, Axes, drawable
 from quintrig.figure.wording import exponent, number_text, quantity_label, tick_texts
-from quintrig.quantity import Quantity
+from quintrig.quantities.table import Quantity
 
 _SIZE = 7.5
 _SHAPES = {-1.0: "cup", -0.5: "rut", 0.0: "saddle", 0.5: "ridge", 1.0: "cap"}

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib import patheffects
 from matplotlib.collections import LineCollection
 
-from quintrig.arrays import FloatArray
+from quintrig.analysis.sample import analyse
 from quintrig.figure.camera import hidden
 from quintrig.figure.frame import Stage
 from quintrig.figure.palette import INK
@@ -14,8 +14,8 @@ from quintrig.figure.scene import Mark
 from quintrig.figure.shade import Paint, strokes
 from quintrig.figure.sheet import drawable
 from quintrig.figure.wording import point_text
-from quintrig.sample import analyse
-from quintrig.surface import Surface
+from quintrig.geometry.surface import Surface
+from quintrig.support.arrays import FloatArray
 
 STROKE = 3.0
 """Length of a stroke of a line, in printer's points."""

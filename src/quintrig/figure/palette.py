@@ -11,8 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.colors import Colormap, LinearSegmentedColormap, to_rgb
 
-from quintrig.arrays import FloatArray
-from quintrig.quantity import Quantity
+from quintrig.quantities.table import Quantity
+from quintrig.support.arrays import FloatArray
+from quintrig.support.tolerance import SAME_COLOUR
 
 UNDEFINED = "#7d7d7d"
 """Grey of NaN, infinity and class code 0; nothing else is drawn in it."""
@@ -77,9 +78,6 @@ SEQUENTIAL: Colormap = LinearSegmentedColormap.from_list(
     "quintrig_sequential",
     ["#f3f1d8", "#c9dfae", "#86c49d", "#4aa29a", "#2f7d92", "#2c5784", "#2e2f63"],
 ).with_extremes(bad=UNDEFINED)
-
-NOISE = 1e-9
-"""Values within this share of the quantity's natural size are rounding; curvatures are good to about 1e-12 of it."""
 
 
 @dataclass(frozen=True)
@@ -148,7 +146,7 @@ def _centred(values: FloatArray, scale: float) -> tuple[float, float]:
     bound = _reach(large, float(size.max()))
     if large - small <= 0.02 * large:
         bound *= 1.5  # constant: a clear colour, but not the one of the end
-    if bound <= NOISE * scale or bound == 0.0:
+    if bound <= SAME_COLOUR * scale or bound == 0.0:
         bound = scale if scale > 0.0 else 1.0
     return -bound, bound
 
@@ -160,11 +158,11 @@ def _ranged(values: FloatArray, scale: float) -> tuple[float, float]:
     high = middle + _reach(high - middle, float(values.max()) - middle)
     if low >= 0.0 and low <= 0.4 * high:
         low = 0.0  # zero means something (flat, level, degenerate), so let it be seen
-    least = max(0.02 * abs(middle), NOISE * scale)
+    least = max(0.02 * abs(middle), SAME_COLOUR * scale)
     if high - low >= least and high > low:
         return low, high
     # Constant to rounding: one colour from the middle of the map.
-    if abs(middle) <= NOISE * scale or middle == 0.0:
+    if abs(middle) <= SAME_COLOUR * scale or middle == 0.0:
         return 0.0, scale or 1.0
     half = 0.5 * abs(middle)
     return middle - half, middle + half

@@ -9,11 +9,11 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 
-from quintrig.arrays import FloatArray
 from quintrig.figure.palette import INK
 from quintrig.figure.wording import exponent, normal_note, number_text, plain, with_unit
-from quintrig.quantity import BY_KEY
-from quintrig.surface import Surface
+from quintrig.geometry.surface import Surface
+from quintrig.quantities.table import BY_KEY
+from quintrig.support.arrays import FloatArray
 from quintrig.sweep.part import column_unit
 
 _MOST = 2000  # lines: more are one dark mass

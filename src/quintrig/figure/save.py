@@ -7,9 +7,9 @@ from typing import Any
 import matplotlib
 from matplotlib.figure import Figure
 
-from quintrig.errors import QuintrigError
 from quintrig.figure.sheet import ONE_AT_A_TIME
-from quintrig.files import write_whole
+from quintrig.support.errors import QuintrigError
+from quintrig.support.files import write_whole
 
 KINDS = ("png", "svg", "pdf")
 """Kinds of file, by suffix."""

@@ -5,13 +5,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from quintrig.arrays import BoolArray, FloatArray
 from quintrig.figure.camera import ISO, View
 from quintrig.figure.palette import INK
-from quintrig.sample import face_grid
-from quintrig.surface import Surface
-
-_NOISE = 1e-12
+from quintrig.geometry.domain import face_grid
+from quintrig.geometry.surface import Surface
+from quintrig.support.arrays import BoolArray, FloatArray
+from quintrig.support.tolerance import NOISE
 
 Box = tuple[FloatArray, FloatArray]
 """Lower and upper corner (3,) of what is framed, length¹."""
@@ -94,7 +93,7 @@ def bounds(surfaces: Sequence[Surface], scene: Scene) -> Box:
 def settled(low: FloatArray, high: FloatArray) -> Box:
     """Return the box, or one corner (3,) twice where it is a single point, to rounding."""
     largest = max(float(np.abs(low).max()), float(np.abs(high).max()))
-    return (low, low.copy()) if np.linalg.norm(high - low) <= _NOISE * largest else (low, high)
+    return (low, low.copy()) if np.linalg.norm(high - low) <= NOISE * largest else (low, high)
 
 
 def single_point(surface: Surface) -> FloatArray | None:
@@ -122,6 +121,6 @@ def _robust(points: FloatArray) -> FloatArray:
 def inside(points: FloatArray, box: Box) -> BoolArray:
     """Return which points (..., 3) lie in the box, to a small tolerance."""
     # The box comes from fewer points.
-    slack = 0.02 * float(np.linalg.norm(box[1] - box[0])) + _NOISE * float(np.abs(box).max())
+    slack = 0.02 * float(np.linalg.norm(box[1] - box[0])) + NOISE * float(np.abs(box).max())
     fits: BoolArray = np.all((points >= box[0] - slack) & (points <= box[1] + slack), axis=-1)
     return fits

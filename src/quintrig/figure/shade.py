@@ -6,9 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.colors import to_rgb
 
-from quintrig.arrays import BoolArray, FloatArray
 from quintrig.figure.camera import View
 from quintrig.figure.palette import BACK, FRONT
+from quintrig.support.arrays import BoolArray, FloatArray
 
 _LIGHT = np.array([-0.42, 0.55, 0.72]) / np.linalg.norm([-0.42, 0.55, 0.72])  # from the upper left, before the picture
 _HALFWAY = _LIGHT + np.array([0.0, 0.0, 1.0])

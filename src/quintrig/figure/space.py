@@ -8,7 +8,6 @@ from matplotlib.collections import PolyCollection
 from matplotlib.colors import to_rgb
 from matplotlib.path import Path
 
-from quintrig.arrays import BoolArray, FloatArray
 from quintrig.figure.edge import regression_lines
 from quintrig.figure.field import Field, field, zero_lines
 from quintrig.figure.frame import Stage, box_outline, draw_frame, set_stage
@@ -17,8 +16,9 @@ from quintrig.figure.palette import INK, REGRESSION, Limits
 from quintrig.figure.scene import Box, Scene, bounds, inside, mesh_points, rims, single_point
 from quintrig.figure.shade import Paint, facets, joined, strokes
 from quintrig.figure.sheet import Axes
-from quintrig.sample import face_grid
-from quintrig.surface import Surface
+from quintrig.geometry.domain import face_grid
+from quintrig.geometry.surface import Surface
+from quintrig.support.arrays import BoolArray, FloatArray
 
 _RIM = "#3a3a3a"
 _ZEROS = 481  # nodes a side at which zeros are traced: where two lines cross they miss each other by half a cell

@@ -5,7 +5,6 @@ from dataclasses import replace
 
 from matplotlib.figure import Figure
 
-from quintrig.classify import Thresholds
 from quintrig.figure.field import common_limits, facet_fields
 from quintrig.figure.flat import draw_map, lines_note, map_axes, map_fields, zero_sets
 from quintrig.figure.frame import panel_size
@@ -14,8 +13,9 @@ from quintrig.figure.scene import Mark, Scene, bounds, share_outside
 from quintrig.figure.sheet import KeyPlace, columns_for, sheet
 from quintrig.figure.space import draw_space
 from quintrig.figure.wording import note, quantity_label
-from quintrig.quantity import quantity
-from quintrig.surface import Surface
+from quintrig.geometry.surface import Surface
+from quintrig.quantities.classify import Thresholds
+from quintrig.quantities.table import quantity
 
 
 def space_picture(

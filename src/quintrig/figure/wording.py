@@ -5,13 +5,13 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from quintrig.arrays import FloatArray
-from quintrig.classify import Thresholds
 from quintrig.figure.edge import regression_note
 from quintrig.figure.field import Field, changes_sign
 from quintrig.figure.scene import single_point
-from quintrig.quantity import Quantity
-from quintrig.surface import Surface
+from quintrig.geometry.surface import Surface
+from quintrig.quantities.classify import Thresholds
+from quintrig.quantities.table import Quantity
+from quintrig.support.arrays import FloatArray
 
 _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 

@@ -6,18 +6,18 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from quintrig.agreement import Agreement, compare_methods
-from quintrig.classify import Thresholds
-from quintrig.compare import Variant, beside_own, standard_shapes, variant
-from quintrig.errors import ModelError
+from quintrig.analysis.agreement import Agreement, compare_methods
+from quintrig.analysis.sample import analyse
+from quintrig.analysis.summary import Summary, summarise
+from quintrig.analysis.table import Table, tabulate
 from quintrig.figure import Mark
-from quintrig.model import Patch
-from quintrig.noise import NOISE
-from quintrig.quantity import BY_KEY
-from quintrig.sample import analyse
-from quintrig.sample import grid as between
-from quintrig.summary import Summary, summarise
-from quintrig.table import Table, tabulate
+from quintrig.geometry.domain import grid as between
+from quintrig.model.model import Patch
+from quintrig.quantities.classify import Thresholds
+from quintrig.quantities.table import BY_KEY
+from quintrig.shaping.shape_effect import Variant, beside_own, standard_shapes, variant
+from quintrig.support.errors import ModelError
+from quintrig.support.tolerance import NOISE
 
 Report = Callable[[str], None]
 """Called with what is being computed."""

@@ -5,14 +5,14 @@ from collections.abc import Iterator
 
 from markupsafe import Markup
 
-from quintrig.agreement import REASONS, Agreement
-from quintrig.compare import Variant
-from quintrig.envelope import inner_regression
-from quintrig.extremes import Extreme
-from quintrig.quantity import BY_KEY
+from quintrig.analysis.agreement import REASONS, Agreement
+from quintrig.analysis.extremes import Extreme
+from quintrig.analysis.summary import Summary
+from quintrig.geometry.envelope import inner_regression
+from quintrig.quantities.table import BY_KEY
 from quintrig.report.facts import Facts, rounding, standard
 from quintrig.report.wording import listed, measure, number, pair, percent, prose, span
-from quintrig.summary import Summary
+from quintrig.shaping.shape_effect import Variant
 
 _FORMS = (
     ("dome- or bowl-shaped", ("elliptic", "umbilic")),

@@ -8,7 +8,8 @@ from functools import partial
 import numpy as np
 from matplotlib.figure import Figure
 
-from quintrig.agreement import REASONS
+from quintrig.analysis.agreement import REASONS
+from quintrig.analysis.table import INVARIANTS
 from quintrig.figure import (
     Scene,
     code_map,
@@ -21,11 +22,10 @@ from quintrig.figure import (
     to_png_bytes,
 )
 from quintrig.figure.field import field, zero_lines
-from quintrig.model import Model, Patch
-from quintrig.quantity import BY_KEY
+from quintrig.model.model import Model, Patch
+from quintrig.quantities.table import BY_KEY
 from quintrig.report.facts import MARKS, Facts, has_effect
 from quintrig.report.wording import percent
-from quintrig.table import INVARIANTS
 
 _DPI = 144
 _WIDE, _SPACE, _HALF, _MAP, _THIRD = 9.0, 5.6, 4.8, 4.2, 3.7  # inches

@@ -6,19 +6,19 @@ from dataclasses import dataclass, replace
 
 from markupsafe import Markup, escape
 
-from quintrig.agreement import REASONS, Agreement, CrossTable
-from quintrig.compare import AS_GIVEN, Variant, intensities
-from quintrig.correspondence import LEVELS, UNDEFINED
-from quintrig.extremes import Extreme, Extremes
+from quintrig.analysis.agreement import REASONS, Agreement, CrossTable
+from quintrig.analysis.extremes import Extreme, Extremes
+from quintrig.analysis.integrate import INTEGRALS
+from quintrig.analysis.summary import Summary
+from quintrig.analysis.table import INVARIANTS, Column, Table
 from quintrig.figure.palette import CLASS_COLOURS
-from quintrig.integrate import INTEGRALS
-from quintrig.quantity import BY_KEY, CLASSES, QUANTITIES
+from quintrig.quantities.correspondence import LEVELS, UNDEFINED
+from quintrig.quantities.table import BY_KEY, CLASSES, QUANTITIES
 from quintrig.report.facts import Facts, rounding
-from quintrig.report.kinds import Net, kind_of
+from quintrig.report.kinds import Net
 from quintrig.report.mathml import mathml
 from quintrig.report.wording import aligned, measure, number, pair, percent, prose, ten
-from quintrig.summary import Summary
-from quintrig.table import INVARIANTS, Column, Table
+from quintrig.shaping.shape_effect import AS_GIVEN, Variant, intensities
 
 LEVEL_MARKS = ("", "✓", "≈", "✗")
 """A sign for each level of agreement, so that it does not rest on colour alone."""
@@ -280,7 +280,7 @@ def patches_table(every: Sequence[Facts]) -> Grid:
         rows.append(
             (
                 escape(one.patch.name),
-                escape(kind_of(one.patch).title),
+                escape(one.patch.definition.title),
                 measure(summary.integrals.area.value, f"{one.unit}²" if one.unit else ""),
                 _extreme(gaussian.minimum, unit, "−", floor),
                 _extreme(gaussian.maximum, unit, "", floor),

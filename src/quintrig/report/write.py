@@ -10,11 +10,11 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 from quintrig import __version__
-from quintrig.classify import Thresholds
-from quintrig.exchange.toml import to_toml
-from quintrig.files import refuse_unwritable, write_whole
-from quintrig.model import Model
-from quintrig.quantity import QUANTITIES, quantity
+from quintrig.model.model import Model
+from quintrig.model.toml import to_toml
+from quintrig.quantities.classify import Thresholds
+from quintrig.quantities.signs import SIGN_TABLES
+from quintrig.quantities.table import QUANTITIES, quantity
 from quintrig.report import facts as known
 from quintrig.report import kinds, tables
 from quintrig.report.facts import MARKS, Facts
@@ -22,8 +22,8 @@ from quintrig.report.findings import findings, methods
 from quintrig.report.mathml import mathml
 from quintrig.report.pictures import Image, invariants_shown, overview, picture_count, pictures, readings, render
 from quintrig.report.wording import measure, number, percent, prose
-from quintrig.signs import SIGN_TABLES
 from quintrig.studio import page as studio
+from quintrig.support.files import refuse_unwritable, write_whole
 
 Progress = Callable[[str, int, int], None]
 """Called with what is being done, steps done and steps in all."""

@@ -6,9 +6,7 @@ from dataclasses import replace
 import numpy as np
 from matplotlib.figure import Figure
 
-from quintrig.basis import Trigonometric
-from quintrig.curve import Curve
-from quintrig.definition import Ruled, Swept, Swung
+from quintrig.basis.trigonometric import Trigonometric
 from quintrig.figure import (
     SIDE,
     Mark,
@@ -25,9 +23,11 @@ from quintrig.figure import (
     space_picture,
 )
 from quintrig.figure.palette import SERIES
-from quintrig.model import Patch
+from quintrig.geometry.curve import Curve
+from quintrig.geometry.surface import Surface
+from quintrig.model.kinds.constructions import Ruled, Swept, Swung
+from quintrig.model.model import Patch
 from quintrig.reproduce.inventory import Item, labelled_points, model
-from quintrig.surface import Surface
 
 # Control points of the thesis's figure 2.3.
 _CURVE = ((3.0, 0.0), (2.0, 5.0), (3.0, 10.0), (5.0, 10.0), (6.0, 5.0), (5.0, 0.0))
@@ -131,7 +131,7 @@ def _projections(item: Item) -> list[Figure]:
 
 
 def _scales(item: Item) -> list[Figure]:
-    surfaces = [_patch(item).with_scale(scale).surface for scale in item.scales]
+    surfaces = [_patch(item).with_parameters({"scale": scale}).surface for scale in item.scales]
     return [comparison(surfaces, item.parts, None, _PLAIN, unit=model(item.models[0]).unit)]
 
 

@@ -5,8 +5,8 @@ from functools import cache
 from importlib.resources import files
 from typing import Any, cast
 
-from quintrig.model import Model
-from quintrig.parsing import parse
+from quintrig.model.model import Model
+from quintrig.support.parsing import parse
 
 
 @dataclass(frozen=True)

@@ -14,14 +14,14 @@ from jinja2 import Environment, StrictUndefined
 from PIL import Image, ImageChops
 
 from quintrig import __version__
-from quintrig.classify import Thresholds
-from quintrig.errors import QuintrigError
 from quintrig.figure import to_bytes
-from quintrig.files import refuse_unwritable, write_whole
+from quintrig.quantities.classify import Thresholds
 from quintrig.report.wording import prose
 from quintrig.reproduce.figures import draw
 from quintrig.reproduce.inventory import Item, inventory, labelled_points, model, model_text
 from quintrig.reproduce.tables import Rows, tables
+from quintrig.support.errors import QuintrigError
+from quintrig.support.files import refuse_unwritable, write_whole
 
 Progress = Callable[[str, int, int], None]
 """Called with what was just built, items done and items in all."""

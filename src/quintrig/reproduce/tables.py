@@ -7,14 +7,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from quintrig.csv_rows import guarded
-from quintrig.quantity import BY_KEY
+from quintrig.analysis.sample import analyse
+from quintrig.analysis.table import tabulate
+from quintrig.exchange.tables import shown, to_latex
+from quintrig.geometry.domain import grid
+from quintrig.geometry.surface import Surface
+from quintrig.quantities.signs import SIGN_TABLES
+from quintrig.quantities.table import BY_KEY
 from quintrig.reproduce.inventory import Item, labelled_points, model
-from quintrig.sample import analyse, grid
-from quintrig.signs import SIGN_TABLES
-from quintrig.surface import Surface
-from quintrig.table import tabulate
-from quintrig.typeset import shown, to_latex
+from quintrig.support.csv_rows import guarded
 
 KEYS = (
     "gaussian",

@@ -15,18 +15,18 @@ import numpy as np
 from matplotlib.colors import Colormap, to_hex
 
 from quintrig import __version__
-from quintrig.basis import SHAPE_RANGE
-from quintrig.classify import Thresholds
-from quintrig.definition import CONSTRUCTIONS, KINDS, Definition
+from quintrig.basis.trigonometric import SHAPE_RANGE
 from quintrig.figure import palette
-from quintrig.files import write_whole
-from quintrig.invariants import VERTICAL
-from quintrig.model import SCHEMA_VERSION, UNITS, load
-from quintrig.quantity import BY_KEY, QUANTITIES, Quantity
-from quintrig.sample import SINGULAR
-from quintrig.signs import CLASSES, POINTS, TYPES, SignTable
-from quintrig.starter import starter
+from quintrig.model.kinds.definition import Definition
+from quintrig.model.kinds.registry import CONSTRUCTIONS, OWN
+from quintrig.model.model import SCHEMA_VERSION, UNITS, load
+from quintrig.model.starter import starter
+from quintrig.quantities.classify import Thresholds
+from quintrig.quantities.signs import CLASSES, POINTS, TYPES, SignTable
+from quintrig.quantities.table import BY_KEY, QUANTITIES, Quantity
 from quintrig.studio.page import as_json
+from quintrig.support.files import write_whole
+from quintrig.support.tolerance import SINGULAR, VERTICAL
 
 SHAPE_SETS: dict[int, tuple[tuple[float, ...], ...]] = {
     4: ((1.0, 1.0, 1.0, 1.0), (1.0, 1.0, -3.0, -3.0), (1.0, -3.0, 1.0, -3.0), (1.0, 0.0, -2.0, -3.0)),
@@ -52,7 +52,7 @@ def table() -> dict[str, Any]:
         "quantities": [_quantity(q) for q in QUANTITIES],
         "limits": {**asdict(Thresholds()), "vertical": VERTICAL, "singular": SINGULAR},
         "words": {key: _words(BY_KEY[key], signs) for key, signs in WORDS.items()},
-        "kinds": {name: _kind(form) for name, form in KINDS.items()},
+        "kinds": {name: _kind(form) for name, form in OWN.items()},
         "palette": {
             "undefined": palette.UNDEFINED,
             "front": palette.FRONT,
@@ -63,7 +63,7 @@ def table() -> dict[str, Any]:
             "sequential": _stops(palette.SEQUENTIAL),
         },
         "presets": _presets(),
-        "starters": {kind: tomllib.loads(starter(kind)) for kind in KINDS},
+        "starters": {kind: tomllib.loads(starter(kind)) for kind in OWN},
     }
 
 

@@ -7,13 +7,13 @@ import zipfile
 from dataclasses import dataclass
 from pathlib import Path
 
-from quintrig.errors import QuintrigError
-from quintrig.exchange.extras import EXTRAS
 from quintrig.exchange.formats import FAMILIES, FORMATS, Format
 from quintrig.exchange.nets import net_paths
 from quintrig.exchange.origin import refuse_point
-from quintrig.model import Model
-from quintrig.quantity import quantity
+from quintrig.model.model import Model
+from quintrig.quantities.table import quantity
+from quintrig.support.errors import QuintrigError
+from quintrig.support.extras import EXTRAS
 
 _ALL = tuple(one for one in FORMATS if one.family != "model")
 _ANY = "model"  # stands for the name of a file
@@ -82,7 +82,7 @@ def _refuse(model: Model, form: Format, patch: str | None) -> None:
     elif form.family == "net":
         net_paths(model, Path(f"{_ANY}{form.suffix}"))
     elif form.family == "pattern":
-        from quintrig.unroll import unroll
+        from quintrig.developables.unroll import unroll
 
         unroll(model.patch(patch).surface)
 
@@ -116,12 +116,12 @@ def export(model: Model, order: Order) -> Exported:
 def _written(model: Model, path: Path, form: Format, order: Order) -> tuple[str, ...]:
     # Each pulls in what only its formats need.
     if form.family == "pattern":
-        from quintrig.exchange.flatten import FlattenOptions, export_pattern
+        from quintrig.exchange.pattern.flatten import FlattenOptions, export_pattern
 
         return export_pattern(model.patch(order.patch), model.unit, path, FlattenOptions(chord=order.tolerance))
     from quintrig.exchange.export import ExportOptions
     from quintrig.exchange.export import export as write
-    from quintrig.exchange.meshes import MeshOptions
+    from quintrig.exchange.mesh.write import MeshOptions
 
     colour = None if order.colour is None else quantity(order.colour).key
     mesh = MeshOptions(order.tolerance, colour=colour, ends=order.ends)

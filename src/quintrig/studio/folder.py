@@ -6,11 +6,11 @@ import os
 from pathlib import Path
 from typing import Any, cast
 
-from quintrig.errors import ModelError, QuintrigError
-from quintrig.files import nets_named, open_regular, write_whole
-from quintrig.model import Model, read_text
-from quintrig.parsing import parse
+from quintrig.model.model import Model, read_text
 from quintrig.studio.merge import merged
+from quintrig.support.errors import ModelError, QuintrigError
+from quintrig.support.files import nets_named, open_regular, write_whole
+from quintrig.support.parsing import parse
 
 SUFFIXES = (".toml", ".json")
 _LONGEST_NAME = 200  # bytes: file systems take 255, of which a draft beside it needs some

@@ -3,12 +3,12 @@
 import base64
 from typing import Any, cast
 
-from quintrig.errors import QuintrigError
-from quintrig.model import Model
-from quintrig.quantity import quantity
+from quintrig.geometry.surface import Surface
+from quintrig.model.model import Model
+from quintrig.model.recognise import Subject, as_model
+from quintrig.quantities.table import quantity
 from quintrig.studio import page, still
-from quintrig.studio.describe import Subject, as_model
-from quintrig.surface import Surface
+from quintrig.support.errors import QuintrigError
 
 try:
     import anywidget

@@ -5,9 +5,9 @@ import re
 from pathlib import Path
 from typing import Any
 
-from quintrig.errors import ModelError
-from quintrig.model import Model
-from quintrig.parsing import parse
+from quintrig.model.model import Model
+from quintrig.support.errors import ModelError
+from quintrig.support.parsing import parse
 
 _KEY = re.compile(r"[ \t]*([A-Za-z0-9_-]+)[ \t]*=[ \t]*")
 _STRING = re.compile(r'"""(?:[^\\]|\\.)*?"""|\'\'\'.*?\'\'\'|"(?:[^"\\\n]|\\.)*"|\'[^\'\n]*\'', re.DOTALL)

@@ -2,8 +2,8 @@
 
 from typing import Any
 
-from quintrig.errors import QuintrigError
-from quintrig.studio.describe import Subject
+from quintrig.model.recognise import Subject
+from quintrig.support.errors import QuintrigError
 
 
 def bundle(subject: Subject) -> Any:

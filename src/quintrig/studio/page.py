@@ -7,9 +7,9 @@ import json
 from pathlib import Path
 from typing import Any
 
-from quintrig.errors import QuintrigError
-from quintrig.model import Model
-from quintrig.quantity import quantity
+from quintrig.model.model import Model
+from quintrig.quantities.table import quantity
+from quintrig.support.errors import QuintrigError
 
 BUNDLE = Path(__file__).parent / "bundle" / "studio.js"
 """The one script that is the live studio, the viewer of a report page and the Jupyter view."""

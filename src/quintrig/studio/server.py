@@ -17,12 +17,12 @@ from starlette.requests import ClientDisconnect, Request
 from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
 
-from quintrig.errors import ModelError, QuintrigError
-from quintrig.files import require_utf8
-from quintrig.parsing import parse
 from quintrig.studio import exports, folder, page
 from quintrig.studio.guard import LARGEST_BODY, App, Guard, TooLarge
 from quintrig.studio.patient import Patient
+from quintrig.support.errors import ModelError, QuintrigError
+from quintrig.support.files import require_utf8
+from quintrig.support.parsing import parse
 
 LOOPBACK = "127.0.0.1"
 _FIRST_PORT, _PORTS = 8700, 250

@@ -4,8 +4,8 @@ from collections import Counter
 
 import numpy as np
 
-from quintrig.model import Model
-from quintrig.quantity import quantity
+from quintrig.model.model import Model
+from quintrig.quantities.table import quantity
 
 _FACETS, _MOST = 60, 36_000  # a side, and in all: a notebook should not wait long for its picture
 

@@ -10,13 +10,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from quintrig.arrays import FloatArray
-from quintrig.definition import Bezier, Swung
-from quintrig.evaluate import row_derivatives
-from quintrig.increments import increments
-from quintrig.model import Patch
-from quintrig.surface import Surface
-from quintrig.sweep.space import SHAPE_NAMES, DesignSpace, parameters
+from quintrig.geometry.surface import Surface
+from quintrig.kernel.evaluate import row_derivatives
+from quintrig.model.model import Patch
+from quintrig.support.arrays import FloatArray
+from quintrig.sweep.space import SHAPE_NAMES, DesignSpace
 
 _BASE = -4.0
 _STEP = 2.0**20  # a power of two, so that dividing by it rounds nothing
@@ -35,8 +33,8 @@ class Parts:
 
 def is_affine(patch: Patch, space: DesignSpace) -> bool:
     """Tell whether every varied parameter is a shape parameter of a surface built from control points."""
-    trigonometric = isinstance(patch.definition, Bezier) and patch.definition.basis == "trigonometric"
-    return trigonometric and set(space.names) <= set(SHAPE_NAMES)
+    definition = patch.definition
+    return definition.affine and not definition.classical and set(space.names) <= set(SHAPE_NAMES)
 
 
 def affine_rows(patch: Patch, u: FloatArray) -> FloatArray:
@@ -52,15 +50,6 @@ def affine_blend(patch: Patch, v: FloatArray, block: int) -> FloatArray:
 def single_part(surface: Surface, u: FloatArray, v: FloatArray, block: int) -> Parts:
     """Return the only part of one design, for parameters that are not affine."""
     return Parts(_rows(surface, u)[None], _blend(surface, v, block)[None])
-
-
-def with_parameters(patch: Patch, values: dict[str, float]) -> Patch:
-    """Return the patch with some of its parameters replaced."""
-    known = parameters(patch) | values
-    if isinstance(patch.definition, Swung):
-        scale = known.pop("scale")
-        patch = patch.with_scale(scale)
-    return patch.with_shape(list(known.values())) if known else patch
 
 
 def weights(patch: Patch, space: DesignSpace, designs: FloatArray) -> FloatArray:
@@ -111,4 +100,4 @@ def _rows(surface: Surface, u: FloatArray) -> FloatArray:
 
 def _blend(surface: Surface, v: FloatArray, block: int) -> FloatArray:
     padded = np.concatenate([v, np.full(block - len(v), v[-1])])
-    return np.ascontiguousarray(increments(surface.blend, padded, 2).transpose(0, 2, 1).reshape(-1))
+    return np.ascontiguousarray(surface.blend.increments(padded, 2).transpose(0, 2, 1).reshape(-1))

@@ -5,12 +5,11 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from quintrig.arrays import FloatArray
-from quintrig.classify import Thresholds
-from quintrig.increments import terms
-from quintrig.model import Patch
-from quintrig.sample import SINGULAR
-from quintrig.surface import Surface
+from quintrig.geometry.surface import Surface
+from quintrig.model.model import Patch
+from quintrig.quantities.classify import Thresholds
+from quintrig.support.arrays import FloatArray
+from quintrig.support.tolerance import SINGULAR
 from quintrig.sweep.affine import Parts, affine_blend, affine_rows, single_part, weights
 from quintrig.sweep.space import DesignSpace
 from quintrig.sweep.summarise import COLUMNS, summariser
@@ -63,7 +62,7 @@ def _summarised(
     result = np.empty((len(amounts), len(COLUMNS)))
     block = _block(v)
     padded = np.concatenate([v[1], np.zeros(block - len(v[1]))])
-    run = summariser(terms(surface.blend), block)
+    run = summariser(surface.blend.terms, block)
     settings = (surface.sign, SINGULAR, thresholds.relative, thresholds.flat)
     run(parts.rows, parts.blend, amounts, u[1], padded, *settings, result)
     return result

@@ -10,7 +10,7 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
-from quintrig.arrays import FloatArray
+from quintrig.support.arrays import FloatArray
 from quintrig.sweep.summarise import clenshaw_curtis
 
 WIDEST = 1 / 40

@@ -5,13 +5,13 @@ from typing import Any
 
 import numpy as np
 
-from quintrig.arrays import FloatArray
-from quintrig.classify import Thresholds
-from quintrig.errors import ModelError
-from quintrig.layers import find_layers
-from quintrig.model import Model, Patch
-from quintrig.quantity import BY_KEY
-from quintrig.sweep.affine import amounts_above, is_affine, weights, with_parameters
+from quintrig.analysis.edge_layers import find_layers
+from quintrig.model.model import Model, Patch
+from quintrig.quantities.classify import Thresholds
+from quintrig.quantities.table import BY_KEY
+from quintrig.support.arrays import FloatArray
+from quintrig.support.errors import ModelError
+from quintrig.sweep.affine import amounts_above, is_affine, weights
 from quintrig.sweep.measure import affine_measure, single_measure
 from quintrig.sweep.nodes import WIDEST
 from quintrig.sweep.space import DesignSpace, check
@@ -72,7 +72,7 @@ def summaries(task: Task, start: int, stop: int) -> FloatArray:
 def _one(task: Task, patch: Patch, design: list[float]) -> FloatArray:
     """Return the summary of one design, built anew."""
     try:
-        surface = with_parameters(patch, dict(zip(task.space.names, design, strict=True))).surface
+        surface = patch.with_parameters(dict(zip(task.space.names, design, strict=True))).surface
     except ModelError:  # planes that envelop no strip, say: a design without a single regular point
         result = np.full(len(COLUMNS), np.nan)
         result[COLUMNS.index("singular")] = task.points**2

@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from quintrig.arrays import FloatArray
-from quintrig.errors import QuintrigError, nearest
-from quintrig.files import require
+from quintrig.support.arrays import FloatArray
+from quintrig.support.errors import QuintrigError, nearest
+from quintrig.support.files import require
 from quintrig.sweep.part import columns
 from quintrig.sweep.space import DesignSpace
 from quintrig.sweep.store import Sweep

@@ -10,10 +10,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from quintrig.arrays import FloatArray
-from quintrig.errors import ModelError
-from quintrig.extremes import find_ends
-from quintrig.sweep.affine import with_parameters
+from quintrig.analysis.extremes import find_ends
+from quintrig.support.arrays import FloatArray
+from quintrig.support.errors import ModelError
 from quintrig.sweep.part import columns
 from quintrig.sweep.query import Question, select
 from quintrig.sweep.store import Sweep
@@ -72,7 +71,7 @@ def _refine(sweep: Sweep, rows: dict[str, FloatArray], row: int) -> None:
     """Write the refined extremes of one row; those without a bound, or without a value, stay."""
     values = {name: float(rows[name][row]) for name in sweep.task.space.names}
     try:
-        surface = with_parameters(sweep.task.built(), values).surface
+        surface = sweep.task.built().with_parameters(values).surface
     except ModelError:
         return
     for key, (least, greatest) in find_ends(surface, EXTREMES).items():

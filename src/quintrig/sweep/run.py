@@ -8,9 +8,9 @@ from time import monotonic, sleep
 from typing import Any, cast
 from uuid import uuid4
 
-from quintrig.arrays import FloatArray
-from quintrig.errors import QuintrigError
-from quintrig.files import require
+from quintrig.support.arrays import FloatArray
+from quintrig.support.errors import QuintrigError
+from quintrig.support.files import require
 from quintrig.sweep.part import summaries
 from quintrig.sweep.store import Sweep
 

@@ -6,12 +6,11 @@ from typing import Any, Literal, cast
 
 import numpy as np
 
-from quintrig.arrays import FloatArray, number
-from quintrig.basis import SHAPE_RANGE
-from quintrig.definition import Developable, Swung
-from quintrig.errors import nearest
-from quintrig.model import Patch
-from quintrig.numerals import real, whole
+from quintrig.basis.trigonometric import SHAPE_RANGE
+from quintrig.model.model import Patch
+from quintrig.support.arrays import FloatArray, number
+from quintrig.support.errors import ModelError, nearest
+from quintrig.support.numerals import real, whole
 
 Sampling = Literal["grid", "latin", "sobol"]
 SHAPE_NAMES = ("alpha1", "zeta1", "alpha2", "zeta2")
@@ -148,21 +147,11 @@ class DesignSpace:
         )
 
 
-def parameters(patch: Patch) -> dict[str, float]:
-    """Return the parameters of a patch that can be varied, with the values that its model gives."""
-    names: tuple[str, ...] = ("alpha", "zeta") if isinstance(patch.definition, Developable) else SHAPE_NAMES
-    classical = getattr(patch.definition, "basis", "trigonometric") == "bernstein"
-    result: dict[str, float] = dict(zip(names, patch.shape, strict=True)) if patch.shape and not classical else {}
-    if isinstance(patch.definition, Swung):
-        result["scale"] = patch.definition.scale
-    return result
-
-
 def check(space: DesignSpace, patch: Patch) -> None:
-    """Raise ValueError where the patch has no such parameter or a range leaves [-4, 1]."""
-    known = parameters(patch)
+    """Raise ValueError where the patch has no such parameter, or an end of a range is no value for it."""
+    known = patch.definition.parameters
     if not known:
-        basis = " in the Bernstein basis" if getattr(patch.definition, "basis", "") == "bernstein" else ""
+        basis = " in the Bernstein basis" if patch.definition.classical else ""
         raise ValueError(f'patch "{patch.name}": a {patch.kind}{basis} has no parameters to vary')
     low, high = SHAPE_RANGE
     unchecked = bool(getattr(patch.definition, "unchecked_shape", False))
@@ -172,8 +161,13 @@ def check(space: DesignSpace, patch: Patch) -> None:
                 f"--vary {axis.name}: unknown parameter{nearest(axis.name, known)}; "
                 f"a {patch.kind} has {', '.join(known)}"
             )
-        if axis.name != "scale" and not unchecked and not (low <= axis.low and axis.high <= high):
+        if axis.name in patch.definition.shape_names and not unchecked and not (low <= axis.low and axis.high <= high):
             raise ValueError(f"--vary {axis.name}={axis.low:g}:{axis.high:g}: the range leaves [-4, 1]; narrow it")
+        for value in (axis.low, axis.high):
+            try:
+                patch.with_parameters({axis.name: value})
+            except ModelError as error:
+                raise ValueError(f"--vary {axis.name}={axis.low:g}:{axis.high:g}: {error}") from None
 
 
 def _latin(dimension: int, count: int, seed: int, start: int, stop: int) -> FloatArray:

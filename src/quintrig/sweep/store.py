@@ -12,12 +12,12 @@ from typing import Any, cast
 
 import numpy as np
 
-from quintrig.arrays import FloatArray
-from quintrig.classify import Thresholds
-from quintrig.errors import QuintrigError
-from quintrig.files import open_regular, refuse_unwritable, require, require_utf8, write_first, write_whole
-from quintrig.integrate import orientation
-from quintrig.parsing import parse
+from quintrig.analysis.integrate import orientation
+from quintrig.quantities.classify import Thresholds
+from quintrig.support.arrays import FloatArray
+from quintrig.support.errors import QuintrigError
+from quintrig.support.files import open_regular, refuse_unwritable, require, require_utf8, write_first, write_whole
+from quintrig.support.parsing import parse
 from quintrig.sweep.part import Task, column_unit, columns
 from quintrig.sweep.space import DesignSpace
 

@@ -9,12 +9,13 @@ from typing import Protocol
 
 import numpy as np
 
-from quintrig import classify, contraction, curvature
-from quintrig.arrays import FloatArray
-from quintrig.classify import HK_TYPES
-from quintrig.compiled import loop, scalar
-from quintrig.contraction import DUU, DUV, DVV, PARTIALS, three
-from quintrig.noise import NOISE
+from quintrig.kernel import contraction
+from quintrig.kernel.contraction import DUU, DUV, DVV, PARTIALS, three
+from quintrig.quantities import classify, curvature
+from quintrig.quantities.classify import HK_TYPES
+from quintrig.support.arrays import FloatArray
+from quintrig.support.compiled import loop, scalar
+from quintrig.support.tolerance import NOISE
 
 EXTREMES = ("gaussian", "mean", "curvedness")
 """Keys of the quantities whose least and greatest values are columns."""

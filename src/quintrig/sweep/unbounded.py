@@ -8,11 +8,13 @@ close to it, as in ``beside``, and a developable is asked for its edge of regres
 import numpy as np
 from numpy.typing import NDArray
 
-from quintrig.arrays import FloatArray
-from quintrig.beside import NEAR, NEARER, across, along, has_no_bound
-from quintrig.envelope import inner_regression
-from quintrig.sample import SINGULAR, analyse, grid
-from quintrig.surface import Surface
+from quintrig.analysis.sample import analyse
+from quintrig.analysis.singular_edges import NEAR, NEARER, across, along, has_no_bound
+from quintrig.geometry.domain import grid
+from quintrig.geometry.envelope import inner_regression
+from quintrig.geometry.surface import Surface
+from quintrig.support.arrays import FloatArray
+from quintrig.support.tolerance import SINGULAR
 from quintrig.sweep.measure import Measure
 from quintrig.sweep.nodes import drawn_nodes, layer_classes
 from quintrig.sweep.summarise import COLUMNS

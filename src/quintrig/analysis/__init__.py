@@ -1,0 +1,1 @@
+"""Numbers about a surface: samples, integrals, extremes, summaries, tables."""

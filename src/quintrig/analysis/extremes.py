@@ -1,0 +1,343 @@
+"""Minimum, maximum and mean of quantities over a surface, and where the extremes are.
+
+The quantity is sampled on a grid that includes edges and corners. Around the best local extremes of the samples a
+window of 9 x 9 points closes in on the extreme: it moves while the best point lies on its border and shrinks otherwise,
+down to 1e-9 of the domain. Windows are cut off at the edges of the domain, so an extreme on an edge or at a corner is
+met exactly. A feature that is narrower than a grid cell and missed by all samples is not found. Of a trimmed face only
+points inside its loops count, and the loops themselves are searched along their length.
+A curvature that is zero to rounding is told as 0. Beside singular edges two rings decide whether curvature has a bound,
+as in integrals and sweeps (``beside``).
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quintrig.analysis.integrate import Integral, area_means, orientation
+from quintrig.analysis.sample import analyse
+from quintrig.analysis.singular_edges import Limit, limits
+from quintrig.geometry.domain import face_grid
+from quintrig.geometry.surface import Surface
+from quintrig.geometry.trimmed import along, window
+from quintrig.quantities.table import quantity
+from quintrig.support.arrays import BoolArray, FloatArray
+from quintrig.support.tolerance import rounding_floor
+
+Status = Literal["attained", "approached", "unbounded", "undefined"]
+"""Attained at a point; only approached, or unbounded, beside points where there is no value; no value at all."""
+
+_GROUPS = 12  # values of local extremes of the samples that are refined, at up to three places each
+_EQUAL = 1e-8  # values this close, relative to the natural size of the quantity, count as equal
+_ROUNDING = 1e-13
+_CANCELLED = 1e-10  # curvatures nowhere above this share of C or C² are rounding of zero
+_RISE = (
+    1e-2  # a hundred times nearer to an undefined point, a value without bound has at least doubled and risen by this
+)
+_POLE = 1e3  # a refined value this many times the largest sample has no bound either
+_BOUNDED = ("shape_index", "beta0_surface")
+_APART = 1e-3  # places further apart than this share of the size are different places
+_FINEST = 1e-9  # half the width of the last window
+_BESIDE = 1e-3  # windows that hold undefined points stop here: beyond, rounding beside a singular point takes over
+_SHRINK = 0.3  # a little more than the distance of two points of a window, a quarter of its half width
+_STEPS = 100
+_ALONG = 64  # samples of a loop's side as long as the domain
+_MOST_ALONG = 8192  # samples of a loop
+_OFFSETS = 0.25 * (np.argwhere(np.ones((9, 9))) - 4)  # of the points of a window, (81, 2), from -1 to 1
+
+
+_Limits = Mapping[tuple[str, float], Limit]
+
+
+@dataclass(frozen=True, eq=False)
+class Extreme:
+    """The least or greatest value, its parameters and its point (3,), length¹.
+
+    ``unique`` is false where the same value is taken at several places, of which this is the first in order of u, then
+    v.
+    """
+
+    value: float
+    u: float
+    v: float
+    point: FloatArray
+    unique: bool
+    status: Status
+
+    def describe(self) -> str:
+        """Return what is to be said beside the value; empty for an extreme attained at one place only."""
+        words = {
+            "attained": "",
+            "approached": "approached beside points where it is undefined",
+            "unbounded": "grows without bound beside points where it is undefined; this is only the nearest sample",
+            "undefined": "undefined everywhere",
+        }[self.status]
+        several = not self.unique and self.status in ("attained", "approached")
+        others = "taken at several places, of which this is the first" if several else ""
+        return "; ".join(part for part in (words, others) if part)
+
+
+@dataclass(frozen=True, eq=False)
+class Extremes:
+    """Extremes and mean of one quantity; ``key`` is its row in the table of quantities.
+
+    ``mean`` is ∫q dA / ∫dA over the points where q is defined, with its measured error; ``grid_mean`` the plain mean of
+    the samples, which depends on the parametrisation. ``undefined`` of the ``samples`` are NaN or infinite.
+    """
+
+    key: str
+    minimum: Extreme
+    maximum: Extreme
+    mean: Integral
+    grid_mean: float
+    samples: int
+    undefined: int
+    orientation: str
+
+
+def find_extremes(
+    surface: Surface,
+    keys: Sequence[str] = ("gaussian", "mean", "k1", "k2", "shape_index", "curvedness"),
+    samples: int = 65,
+) -> dict[str, Extremes]:
+    """Return minimum, maximum and mean of scalar quantities, by key; ``samples`` a side are refined.
+
+    Raises ValueError for an unknown or vector quantity, or fewer than 2 samples.
+    """
+    means = area_means(surface, keys)
+    found = find_ends(surface, keys, samples)
+    u, v = face_grid(surface, samples, samples)
+    sample = analyse(surface, u, v, tuple(dict.fromkeys((*keys, "curvedness"))))
+    curved, inside = sample["curvedness"], surface.inside(u, v)
+    results: dict[str, Extremes] = {}
+    for key in keys:
+        values = _without_rounding(sample[key], curved, surface.size, key)[inside]
+        defined = np.isfinite(values)
+        mean = float(values[defined].mean()) if defined.any() else np.nan
+        results[key] = Extremes(
+            key, *found[key], means[key], mean, values.size, int((~defined).sum()), orientation(surface)
+        )
+    return results
+
+
+def find_ends(surface: Surface, keys: Sequence[str], samples: int = 65) -> dict[str, tuple[Extreme, Extreme]]:
+    """Return minimum and maximum of scalar quantities, by key, without the means, which take longer.
+
+    Raises ValueError as ``find_extremes`` does.
+    """
+    u, v = face_grid(surface, samples, samples)
+    sample = analyse(surface, u, v, tuple(dict.fromkeys((*keys, "curvedness"))))
+    inside, beside = surface.inside(u, v), _beside(surface, sample["curvedness"])
+    curved = np.where(inside, sample["curvedness"], np.nan)
+    typical = float(np.median(curved[np.isfinite(curved)])) if np.isfinite(curved).any() else 0.0
+    # Where C itself vanishes its own rounding is the measure.
+    curved_at = np.maximum(curved, 1e-5 * typical)
+    results: dict[str, tuple[Extreme, Extreme]] = {}
+    for key in keys:
+        values = np.where(inside, _without_rounding(sample[key], curved, surface.size, key), np.nan)
+        defined = np.isfinite(values)
+        power = quantity(key).power
+        # Curvatures may cancel; the size of their rounding is that of C to the same power.
+        natural = typical ** (-power) if power <= 0 else 0.0
+        if power < 0 and defined.any() and (np.abs(values) <= _CANCELLED * curved_at**-power)[defined].all():
+            minimum = maximum = _zero(surface, _place(surface, np.argwhere(defined)[0], samples))
+        else:
+            minimum = _extreme(surface, key, values, 1.0, natural, beside)
+            maximum = _extreme(surface, key, values, -1.0, natural, beside)
+        results[key] = minimum, maximum
+    return results
+
+
+def _zero(surface: Surface, place: FloatArray) -> Extreme:
+    """Return the extreme of a curvature that is zero everywhere; its rounding has none worth telling."""
+    return Extreme(0.0, float(place[0]), float(place[1]), surface(place[0], place[1]), False, "attained")
+
+
+def _beside(surface: Surface, curved: FloatArray) -> _Limits:
+    """Return what becomes of curvatures beside singular edges; empty where there is none, or other singular points."""
+    inner = np.isfinite(curved[1:-1, 1:-1]).all()
+    found = (limits(surface) if inner else None) or {}
+    return {end: limit for end, limit in found.items() if surface.inside(limit.u, limit.v)}
+
+
+def _place(surface: Surface, index: NDArray[np.intp], samples: int) -> FloatArray:
+    """Return the parameters (..., 2) of samples by their indices (..., 2)."""
+    low, high = window(surface.trim)
+    return low + (high - low) * index / (samples - 1.0)
+
+
+def _without_rounding(values: FloatArray, curved: FloatArray, size: float, key: str) -> FloatArray:
+    """Return the values with 0 for curvatures that are only rounding, ``curved`` being C at the same points."""
+    power = quantity(key).power
+    return np.where(np.abs(values) <= rounding_floor(curved, size, power), 0.0, values) if power < 0 else values
+
+
+def _extreme(
+    surface: Surface, key: str, values: FloatArray, sense: float, natural: float, beside_edges: _Limits
+) -> Extreme:
+    """Return the least value (sense 1) or the greatest (-1), starting from the samples (n, n)."""
+    limit = beside_edges.get((key, sense))
+    if limit and limit.unbounded:
+        return Extreme(limit.value, limit.u, limit.v, surface(limit.u, limit.v), True, "unbounded")
+    costs = np.where(np.isfinite(values), sense * values, np.inf)
+    n = len(costs)
+    if not np.isfinite(costs).any():
+        return Extreme(np.nan, np.nan, np.nan, np.full(3, np.nan), False, "undefined")
+    largest = max(float(np.abs(costs[np.isfinite(costs)]).max()), natural)
+    starts = _local_minima(costs, largest)
+    places, found, beside, growing = _refine(
+        surface, key, sense, _place(surface, starts, n), costs[starts[:, 0], starts[:, 1]], 1.0 / (n - 1.0), largest
+    )
+    growing &= limit is None
+    if surface.trim:
+        rim, least = _on_loops(surface, key, sense, largest)
+        places, found = np.concatenate([places, rim]), np.concatenate([found, least])
+        inner: BoolArray = np.zeros(len(least), dtype=np.bool_)
+        beside, growing = np.concatenate([beside, inner]), np.concatenate([growing, inner])
+    best = min(float(costs.min()), float(found.min()))
+    scale = max(abs(best), natural)
+    tied = np.argwhere(costs <= best + _EQUAL * scale)
+    places = np.concatenate([_place(surface, tied, n), places])
+    found = np.concatenate([costs[tied[:, 0], tied[:, 1]], found])
+    none = np.zeros(len(tied), dtype=np.bool_)
+    beside, growing = np.concatenate([none, beside]), np.concatenate([none, growing])
+    limit = found[growing].min() if growing.any() else best + _EQUAL * scale
+    equal = (found <= limit) & (growing | ~growing.any())
+    # A value that is attained somewhere is better than one that is only approached, and one at a sample, where it is no
+    # worse, better than one that the refinement has reached by following rounding.
+    attained = equal & ~beside & ~growing
+    sampled = attained & (found <= best + _ROUNDING * scale) & (np.arange(len(found)) < len(tied))
+    first = _first(places, found, next(x for x in (sampled, attained, equal) if x.any()), _ROUNDING * scale)
+    points = surface(places[equal, 0], places[equal, 1])
+    point = surface(places[first, 0], places[first, 1])
+    unique = bool(np.linalg.norm(points - point, axis=-1).max() <= _APART * surface.size)
+    status: Status = "unbounded" if growing[first] else "approached" if beside[first] else "attained"
+    return Extreme(
+        float(sense * found[first]) + 0.0, float(places[first, 0]), float(places[first, 1]), point, unique, status
+    )
+
+
+def _first(places: FloatArray, found: FloatArray, among: BoolArray, rounding: float) -> int:
+    """Return the first of the places in order of u, then v; of those that are one place, the first that is no worse."""
+    choice = np.flatnonzero(among)
+    rounded = np.round(places[choice], 4)
+    order = np.lexsort((rounded[:, 1], rounded[:, 0]))
+    same = choice[(rounded == rounded[order[0]]).all(axis=1)]
+    return int(same[found[same] <= found[same].min() + rounding][0])
+
+
+def _local_minima(costs: FloatArray, scale: float) -> NDArray[np.intp]:
+    """Return the indices (c, 2) of the least local minima among the samples.
+
+    Of those with equal values, as on a ring of extremes, only the first, the middle and the last, so that others
+    that may prove deeper have room.
+    """
+    n, m = costs.shape
+    around = np.pad(costs, 1, constant_values=np.inf)
+    slack = _EQUAL * scale
+    least = np.isfinite(costs)
+    for i in range(3):
+        for j in range(3):
+            least &= costs <= around[i : i + n, j : j + m] + slack
+    found = np.argwhere(least)
+    values = costs[found[:, 0], found[:, 1]]
+    order = np.argsort(values, kind="stable")
+    groups = np.split(order, np.flatnonzero(np.diff(values[order]) > slack) + 1)
+    chosen = [np.sort(group)[sorted({0, len(group) // 2, len(group) - 1})] for group in groups[:_GROUPS]]
+    return found[np.concatenate(chosen)]
+
+
+def _refine(
+    surface: Surface, key: str, sense: float, places: FloatArray, best: FloatArray, width: float, largest: float
+) -> tuple[FloatArray, FloatArray, BoolArray, BoolArray]:
+    """Close in on minima of sense · q from ``places`` (c, 2), where it is ``best`` (c,); ``largest`` sample |q|.
+
+    Returns the places, the values, where the last window held undefined points, and where it grew without bound.
+    """
+    widths = np.full(len(places), width)
+    each = np.arange(len(places))
+    done: BoolArray = np.zeros(len(places), dtype=np.bool_)
+    beside = done
+    for _ in range(_STEPS):
+        near = np.clip(places[:, None] + widths[:, None, None] * _OFFSETS, 0.0, 1.0)
+        values = _values(surface, key, near[..., 0], near[..., 1])
+        defined = np.isfinite(values)
+        beside = np.any(~defined, axis=1)
+        inside = surface.inside(near[..., 0], near[..., 1]) if surface.trim else True
+        costs = np.where(defined & inside, sense * values, np.inf)
+        choice = costs.argmin(axis=1)
+        better = ~done & (costs[each, choice] < best)
+        moved = near[each, choice]
+        # On the border of the window, but not of the domain, the extreme may lie further out: go on before shrinking.
+        roam = better & ((np.abs(_OFFSETS[choice]) == 1.0) & (moved > 0.0) & (moved < 1.0)).any(axis=1)
+        places = np.where(better[:, None], moved, places)
+        best = np.where(better, costs[each, choice], best)
+        done |= ~roam & ((widths <= _FINEST) | (beside & (widths <= _BESIDE)))
+        if done.all():
+            break
+        widths = np.where(roam, np.minimum(2.0 * widths, width), np.where(done, widths, _SHRINK * widths))
+    if key in _BOUNDED:
+        return places, best, beside, np.zeros(len(places), dtype=np.bool_)
+    nearer, probe = _probe(surface, key, sense, places, widths)
+    unbounded = np.maximum(np.abs(best), _RISE * largest) <= best - probe
+    places, best = np.where(unbounded[:, None], nearer, places), np.where(unbounded, probe, best)
+    return places, best, beside, unbounded | (np.abs(best) > _POLE * largest)
+
+
+def _on_loops(surface: Surface, key: str, sense: float, largest: float) -> tuple[FloatArray, FloatArray]:
+    """Return places (c, 2) on the trim loops where sense · q is least, and its values (c,)."""
+    places: list[FloatArray] = []
+    found: list[FloatArray] = []
+    for loop in surface.trim:
+        longest = float(np.abs(np.roll(loop, -1, axis=0) - loop).max())
+        parts = max(1, min(round(longest * _ALONG), _ALONG, _MOST_ALONG // len(loop)))
+        t = np.arange(len(loop) * parts) / parts
+        at = along(loop, t)
+        costs = _costs(surface, key, sense, at)
+        slack = _EQUAL * largest
+        least = np.isfinite(costs) & (costs <= np.minimum(np.roll(costs, 1), np.roll(costs, -1)) + slack)
+        chosen = np.flatnonzero(least)
+        chosen = chosen[np.argsort(costs[chosen], kind="stable")[:_GROUPS]]
+        t, best, width = t[chosen], costs[chosen], 1.0 / parts
+        while len(t) and width > _FINEST:
+            near = t[:, None] + width * np.linspace(-1.0, 1.0, 9)
+            costs = _costs(surface, key, sense, along(loop, near))
+            choice = costs.argmin(axis=1)
+            each = np.arange(len(t))
+            better = costs[each, choice] < best
+            t, best = np.where(better, near[each, choice], t), np.where(better, costs[each, choice], best)
+            width *= _SHRINK
+        places.append(along(loop, t))
+        found.append(best)
+    return np.concatenate(places), np.concatenate(found)
+
+
+def _costs(surface: Surface, key: str, sense: float, at: FloatArray) -> FloatArray:
+    values = _values(surface, key, at[..., 0], at[..., 1])
+    return np.where(np.isfinite(values), sense * values, np.inf)
+
+
+def _values(surface: Surface, key: str, u: FloatArray, v: FloatArray) -> FloatArray:
+    """Return the quantity, 0 where it is only rounding."""
+    if quantity(key).power >= 0:
+        return analyse(surface, u, v, (key,))[key]
+    sample = analyse(surface, u, v, tuple(dict.fromkeys((key, "curvedness"))))
+    return _without_rounding(sample[key], sample["curvedness"], surface.size, key)
+
+
+def _probe(
+    surface: Surface, key: str, sense: float, places: FloatArray, widths: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Go from ``places`` 99 % of the way to the nearest undefined point of the window.
+
+    Returns the new places and sense · q there, infinite where the window has no undefined point.
+    """
+    near = np.clip(places[:, None] + widths[:, None, None] * _OFFSETS, 0.0, 1.0)
+    undefined = ~np.isfinite(analyse(surface, near[..., 0], near[..., 1], (key,))[key])
+    distance = np.where(undefined, np.linalg.norm(near - places[:, None], axis=-1), np.inf)
+    target = near[np.arange(len(places)), distance.argmin(axis=1)]
+    nearer = places + 0.99 * (target - places)
+    values = sense * analyse(surface, nearer[:, 0], nearer[:, 1], (key,))[key]
+    return nearer, np.where(undefined.any(axis=1) & np.isfinite(values), values, np.inf)

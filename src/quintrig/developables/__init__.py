@@ -1,0 +1,1 @@
+"""Developable strips: rulings, edges of regression, flat patterns."""

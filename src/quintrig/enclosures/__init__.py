@@ -1,0 +1,1 @@
+"""What surely contains a surface or its curvature: convex hulls."""

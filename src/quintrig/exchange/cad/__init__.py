@@ -1,0 +1,1 @@
+"""Exact CAD files: STEP, IGES, BREP, 3DM."""

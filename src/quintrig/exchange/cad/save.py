@@ -1,0 +1,102 @@
+"""A model as a CAD file, read back and compared before it counts as written."""
+
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal
+
+from quintrig.exchange.cad.fit import FitOptions
+from quintrig.exchange.cad.forms import Carrier, carriers
+from quintrig.exchange.cad.isolated import read_here
+from quintrig.exchange.cad.readback import deviations
+from quintrig.exchange.formats import suffixes
+from quintrig.exchange.origin import far, is_far, refuse_point
+from quintrig.exchange.units import ASSUMED
+from quintrig.model.model import Model
+from quintrig.support.errors import QuintrigError
+from quintrig.support.files import write_whole
+
+SUFFIXES = suffixes("cad")
+"""Endings of the CAD files that can be written."""
+
+_LARGEST_DEVIATION = 1e-12
+"""Of an exact file from its model, relative to the patch's size and beside what rounding explains; more is a fault."""
+
+
+@dataclass(frozen=True)
+class CadOptions:
+    """Protocol of STEP files, a fit in place of the exact form, and the distance for sewing patches, length¹."""
+
+    schema: Literal["ap242", "ap214"] = "ap242"
+    fit: FitOptions | None = None
+    sew: float | None = None
+
+    def __post_init__(self) -> None:
+        """Check once what can be checked alone."""
+        if self.sew is not None and not self.sew > 0.0:
+            raise ValueError(f"sewing tolerance: expected a length greater than 0, found {self.sew:g}")
+
+
+def export_cad(model: Model, path: Path, options: CadOptions | None = None) -> tuple[str, ...]:
+    """Write a STEP, IGES, BREP or 3DM file, and return what to tell about it, one line each.
+
+    The file is read back and every patch compared at 10,000 points before it takes its place. Raises QuintrigError for
+    a missing extra or an unwritable target, ValueError where a patch is a point or has no such form.
+    """
+    options = options or CadOptions()
+    refuse_point(model)
+    parts = carriers(model, options.fit)
+    notes = [f"{part.name}: {part.note}" for part in parts]
+    data, more = _data(model, path.suffix.lower(), parts, options, "; ".join(notes))
+    notes += more
+    with tempfile.TemporaryDirectory() as folder:
+        copy = Path(folder) / f"copy{path.suffix.lower()}"
+        copy.write_bytes(data)
+        notes += _compared(parts, copy, path)
+    if not model.unit and path.suffix.lower() != ".brep":
+        notes.append(f"the model states no unit; the file says {ASSUMED}")
+    if any(part.surface.trim for part in parts):
+        notes.append("trimmed faces are written as their whole surfaces")
+    write_whole(path, data)
+    return tuple(notes)
+
+
+def _data(
+    model: Model, suffix: str, parts: tuple[Carrier, ...], options: CadOptions, remark: str
+) -> tuple[bytes, tuple[str, ...]]:
+    names = [part.name for part in parts]
+    if suffix == ".3dm":
+        from quintrig.exchange.cad.rhino import write_3dm
+
+        notes = ("3DM: patches are separate surfaces; join them in Rhino",) if len(parts) > 1 else ()
+        return write_3dm([part.form for part in parts], names, model.unit, remark), notes
+    from quintrig.exchange.cad import write as cad_write
+    from quintrig.exchange.cad.occ import quiet
+    from quintrig.exchange.cad.shell import shell
+
+    with quiet():
+        shape = shell(parts, options.sew)
+    if suffix in (".step", ".stp"):
+        return cad_write.step(shape, model.name, names, model.unit, options.schema, remark), shape.notes
+    if suffix in (".iges", ".igs"):
+        return cad_write.iges(shape, model.name, names, model.unit), shape.notes
+    return cad_write.brep(shape), (*shape.notes, "BREP holds neither names nor units")
+
+
+def _compared(parts: tuple[Carrier, ...], copy: Path, path: Path) -> list[str]:
+    """Return a line on each patch; QuintrigError where an exact file is not exact."""
+    lines: list[str] = []
+    for part, found in zip(parts, deviations(parts, read_here(copy)), strict=True):
+        allowed = _LARGEST_DEVIATION * part.surface.size + found.rounding
+        if part.deviation == 0.0 and not found.distance <= allowed:
+            raise QuintrigError(
+                f"{path}: not written: read back, patch {part.name!r} deviates by {found.distance:.2g} "
+                f"({found.relative:.1e} of its size), where {allowed:.2g} can be explained; please report this with "
+                "the model"
+            )
+        lines.append(
+            f"{found.name}: read back, largest deviation {found.distance:.2g} ({found.relative:.1e} of its size)"
+        )
+        if is_far(part.surface):
+            lines.append(f"{found.name}: {far(part.surface)}; move the model nearer for more digits")
+    return lines

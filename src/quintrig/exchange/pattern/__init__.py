@@ -1,0 +1,1 @@
+"""Flat patterns for the workshop: DXF, SVG, PDF."""

@@ -1,0 +1,1 @@
+"""Curves and surfaces: constructions, closed forms, exact rational forms."""

@@ -1,0 +1,1 @@
+"""Model files: kinds, reading, writing, messages, schema, starters."""

@@ -1,0 +1,1 @@
+"""The kinds of surfaces that a model file may hold, one class each."""

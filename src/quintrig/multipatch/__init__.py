@@ -1,0 +1,1 @@
+"""Several patches: which edges they share."""

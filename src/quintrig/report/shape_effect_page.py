@@ -1,0 +1,79 @@
+"""The comparison of shape parameters in pictures, and as one self-contained page."""
+
+import base64
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from importlib.resources import files
+
+from jinja2 import Environment, StrictUndefined
+
+from quintrig import __version__
+from quintrig.analysis.table import Table
+from quintrig.exchange.tables import shown
+from quintrig.figure import ISO, Scene, View, comparison, map_comparison, to_png_bytes
+from quintrig.quantities.table import quantity
+from quintrig.shaping.shape_effect import Variant
+
+_DPI = 150
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A picture as PNG, with the name of its file and its title."""
+
+    name: str
+    title: str
+    png: bytes
+
+    @property
+    def source(self) -> str:
+        """The picture as a data address, to stand in a page."""
+        return f"data:image/png;base64,{base64.b64encode(self.png).decode()}"
+
+
+def pictures(
+    found: Sequence[Variant],
+    keys: Sequence[str | None] = ("gaussian", "mean"),
+    view: View = ISO,
+    name: str = "",
+    progress: Callable[[str, int, int], None] | None = None,
+) -> tuple[Picture, ...]:
+    """Return the plain surfaces side by side, then each quantity in space and as a map, each on one scale.
+
+    ``progress`` is told what is drawn, how many are done and how many there are.
+    """
+    surfaces = [one.patch.surface for one in found]
+    labels = [one.label for one in found]
+    unit = found[0].summary.unit
+    start = f"{name}: " if name else ""
+    wanted = [(None, False)] + [(key, flat) for key in dict.fromkeys(keys) if key for flat in (False, True)]
+    drawn: list[Picture] = []
+    for key, flat in wanted:
+        title = f"{start}{'surface' if key is None else quantity(key).name}"
+        if progress:
+            progress(f"{title}{', map' if flat else ''}", len(drawn), len(wanted))
+        if flat and key is not None:
+            figure = map_comparison(surfaces, labels, key, title=title, unit=unit)
+        else:
+            scene = Scene(view=view, isolines=7 if key is None else 0)
+            figure = comparison(surfaces, labels, key, scene, title=title, unit=unit)
+        file = f"{key or 'surface'}{'_map' if flat else ''}.png"
+        drawn.append(Picture(file, title, to_png_bytes(figure, _DPI)))
+    return tuple(drawn)
+
+
+def page(found: Sequence[Variant], table: Table, drawn: Sequence[Picture]) -> str:
+    """Return the page as HTML with its pictures inside: nothing beside it and no network is needed."""
+    environment = Environment(autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
+    template = environment.from_string((files("quintrig.report.templates") / "shape_effect.html.j2").read_text("utf-8"))
+    lines = [(one.symbol, one.unit, [shown(value) for value in one.rounded]) for one in table.columns[table.lead :]]
+    names = "(α1, ζ1, α2, ζ2)" if len(found[0].shape) == 4 else "(α, ζ)"
+    return template.render(
+        table=table,
+        found=found,
+        lines=lines,
+        names=names,
+        kind=found[0].patch.kind,
+        pictures=drawn,
+        version=__version__,
+    )

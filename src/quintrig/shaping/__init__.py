@@ -1,0 +1,1 @@
+"""Making a shape: what the shape parameters do to it."""

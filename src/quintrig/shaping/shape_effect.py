@@ -1,0 +1,135 @@
+"""What shape parameters do to a surface: the same control points with several of them, and a table of intensities."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from quintrig.analysis.extremes import Extreme
+from quintrig.analysis.integrate import INTEGRALS
+from quintrig.analysis.quadrature import Integral
+from quintrig.analysis.summary import Summary, summarise
+from quintrig.analysis.table import Column, Table
+from quintrig.model.model import Patch
+from quintrig.quantities.table import BY_KEY
+from quintrig.support.errors import ModelError
+from quintrig.support.tolerance import NOISE
+
+FOUR_SETS: tuple[tuple[float, ...], ...] = ((1, 1, 1, 1), (1, 1, -3, -3), (1, -3, 1, -3), (1, 0, -2, -3))
+"""The thesis's sets (α1, ζ1, α2, ζ2) for every surface of chapter 4 but the developable one."""
+
+TWO_SETS: tuple[tuple[float, ...], ...] = ((1, 1), (0, -4), (-2, 0), (-2, -4))
+"""The thesis's sets (α, ζ) for the enveloping developable surface (figures 4.29 to 4.32)."""
+
+AS_GIVEN = "as in the file"
+"""What is said of the model's own shape parameters."""
+
+_INTENSITIES = ("gaussian", "mean")
+
+
+@dataclass(frozen=True, eq=False)
+class Variant:
+    """A patch with shape parameters, ``own`` where they are those of the model's file, and its summary."""
+
+    shape: tuple[float, ...]
+    patch: Patch
+    summary: Summary
+    own: bool = False
+
+    @property
+    def parameters(self) -> str:
+        """The shape parameters, such as ``(1, 1, -3, -3)``."""
+        return f"({', '.join(f'{value:g}' for value in self.shape)})"
+
+    @property
+    def label(self) -> str:
+        """The shape parameters as a title, which says whose they are where they are the model's own."""
+        return f"{self.parameters} {AS_GIVEN}" if self.own else self.parameters
+
+
+def standard_shapes(patch: Patch) -> tuple[tuple[float, ...], ...]:
+    """Return the thesis's sets of shape parameters for this kind of surface; ModelError where it has none."""
+    _check(patch)
+    return FOUR_SETS if len(patch.shape) == 4 else TWO_SETS
+
+
+def beside_own(patch: Patch, shapes: Sequence[Sequence[float]]) -> tuple[Patch, ...]:
+    """Return the patch as it is, then with each of several other sets of shape parameters.
+
+    Raises ModelError where they do not fit or act.
+    """
+    _check(patch)
+    others = tuple(patch.with_shape(shape) for shape in shapes)
+    return (patch, *(other for other in others if other.shape != patch.shape))
+
+
+def variant(patch: Patch, unit: str = "", *, own: bool = False) -> Variant:
+    """Return a patch with its shape parameters and its summary; ``own`` says that they are the model's."""
+    return Variant(patch.shape, patch, summarise(patch.surface, unit), own)
+
+
+def intensities(found: Sequence[Variant], title: str = "") -> Table:
+    """Return a table with a row for each variant: least, greatest and mean K and H, area and the other integrals.
+
+    What grows without bound beside a singular point is infinite, what is undefined NaN; the notes say why.
+    """
+    unit = found[0].summary.unit
+    plain, labels = tuple(one.parameters for one in found), tuple(one.label for one in found)
+    columns = [Column("shape", "shape", r"\mathrm{shape}", "shape parameters", "", plain, labels)]
+    for key in _INTENSITIES:
+        q = BY_KEY[key]
+        every = [one.summary.extremes[key] for one in found]
+        for end, latex, values in (
+            ("min", rf"{q.latex}_{{\min}}", [_end(one.minimum, -math.inf) for one in every]),
+            ("max", rf"{q.latex}_{{\max}}", [_end(one.maximum, math.inf) for one in every]),
+            ("mean", rf"\overline{{{q.latex}}}", [_integral(one.mean) for one in every]),
+        ):
+            words = (f"{key}_{end}", f"{q.symbol} {end}", latex, f"{q.name}, {end}")
+            columns.append(Column(*words, q.unit(unit), tuple(values), _rounded(values, found, -q.power, False)))
+    for q in INTEGRALS:
+        values = tuple(_integral(one.summary.integrals[q.key]) for one in found)
+        short = len(q.symbol) < 8
+        words = (q.key, q.symbol if short else q.name, q.latex if short else rf"\mbox{{{q.name}}}", q.name)
+        columns.append(Column(*words, q.unit(unit), values, _rounded(values, found, 2 - q.power, True)))
+    return Table(title, _notes(found), tuple(columns), lead=1)
+
+
+def _rounded(values: Sequence[float], found: Sequence[Variant], power: int, integral: bool) -> tuple[float, ...]:
+    """Return the values with 0 for what is rounding beside the typical curvature to a power, or its integral."""
+    if power <= 0:
+        return tuple(values)
+    floors: list[float] = []
+    for one in found:
+        floor = NOISE * one.summary.extremes["curvedness"].mean.value ** power
+        floors.append(floor * one.summary.integrals.area.value if integral else floor)
+    return tuple(0.0 if abs(value) <= floor else value for value, floor in zip(values, floors, strict=True))
+
+
+def _end(extreme: Extreme, limit: float) -> float:
+    return limit if extreme.status == "unbounded" else extreme.value
+
+
+def _integral(integral: Integral) -> float:
+    return math.inf if integral.status == "grows without bound" else integral.value
+
+
+def _notes(found: Sequence[Variant]) -> tuple[str, ...]:
+    summary = found[0].summary
+    formulas = "; ".join(f"{q.name}: {q.symbol}" for q in INTEGRALS if len(q.symbol) >= 8)
+    notes = [
+        f"Lengths in {summary.unit}." if summary.unit else "Lengths are plain numbers: the model states no unit.",
+        f"{summary.orientation[0].upper()}{summary.orientation[1:]}; means are over the area.",
+        f"{formulas[0].upper()}{formulas[1:]}.",
+    ]
+    notes += [f"Shape parameters {AS_GIVEN}: {one.parameters}." for one in found if one.own]
+    told = ((one.parameters, line) for one in found for line in (*one.summary.warnings, *one.summary.notes))
+    return (*notes, *(f"{label}: {line}" for label, line in told))
+
+
+def _check(patch: Patch) -> None:
+    """Refuse a patch on which shape parameters do not act."""
+    if patch.definition.classical:
+        raise ModelError(
+            f'patch "{patch.name}": basis: expected "trigonometric", got "bernstein", which has no shape parameters'
+        )
+    if not patch.shape:
+        raise ModelError(f'patch "{patch.name}": kind: a {patch.kind} has no shape parameters to vary')

@@ -1,0 +1,1 @@
+"""What everything stands on: arrays and their checks, errors, files, series, compilation, tolerances."""
