@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from quintrig.cli import session
-from quintrig.cli.options import Face, Listing, ModelFile, OnlyPatch
+from quintrig.cli.options import Face, Listing, ModelFile, OnlyPatch, Whole
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -63,13 +63,14 @@ def plot(
     dpi: Annotated[int, typer.Option(min=30, max=600, help="Dots per inch of a .png.")] = 200,
     listing: Listing = False,
     face: Face = None,
+    whole: Whole = False,
 ) -> None:
     """Draw a model in space, with true proportions, or as flat maps over its parameters.
 
     One picture a quantity, each with its scale; surface stands for the plain surface.
     """
     keys = read_keys(quantities)
-    loaded = session.load(model, face)
+    loaded = session.load(model, face, whole)
     chosen = session.patches(loaded, patch)
     if shape is not None:
         values = session.numbers(shape, None, "--shape")
