@@ -2,7 +2,7 @@
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: report test test-processors check bench bench-studio studio bundle extras clean
+.PHONY: report test test-fast test-slow coverage test-lowest test-processors check bench bench-studio studio bundle extras clean
 
 report: .venv/installed
 	$(BIN)/quintrig report examples/car_boot.toml out/car_boot
@@ -10,9 +10,34 @@ report: .venv/installed
 test: .venv/installed-dev
 	$(BIN)/python -m pytest -n auto
 
+# Two parts of the same tests: what to run while working, and what takes long (tests/conftest.py says which).
+test-fast: .venv/installed-dev
+	$(BIN)/python -m pytest -n auto -m "not slow"
+
+test-slow: .venv/installed-dev
+	$(BIN)/python -m pytest -n auto -m slow
+
+# The fast tests, and the share of lines that they reach in their own process.
+coverage: .venv/installed-dev
+	$(BIN)/python -m pytest -n auto -m "not slow" --cov --cov-report=term
+
+# Numbers with the lowest versions of dependencies that pyproject.toml lets in, in an environment of their own.
+LOWEST := $(addprefix tests/test_,$(addsuffix .py,basis construct curve envelope integrate model nurbs quantity schema \
+	summary surface table))
+
+test-lowest: .venv-lowest/installed
+	.venv-lowest/bin/python -m pytest -n auto $(LOWEST)
+
+.venv-lowest/installed: .ci/lowest.py pyproject.toml
+	$(PYTHON) -m venv .venv-lowest
+	$(PYTHON) .ci/lowest.py > .venv-lowest/lowest.txt
+	.venv-lowest/bin/python -m pip install --quiet --constraint .venv-lowest/lowest.txt --editable . \
+		pytest pytest-xdist packaging hypothesis mpmath jsonschema
+	touch $@
+
 # What numbers and verdicts hang on, as on processors without AVX-512, and without AVX2.
-NUMERICAL := $(addprefix tests/test_,$(addsuffix .py,any_processor basis compiled construct curve envelope exact extremes far \
-	integrate layers nurbs properties quantity sample studio_numbers summary surface sweep_numbers still_edges sweep_unbounded unroll))
+NUMERICAL := $(addprefix tests/test_,$(addsuffix .py,any_processor basis construct curve envelope exact extremes far integrate \
+	layers nurbs properties sample studio_numbers summary surface still_edges sweep_unbounded unroll))
 
 test-processors: .venv/installed-dev
 	$(BIN)/python .ci/processor.py haswell -m pytest -n auto $(NUMERICAL)
@@ -23,8 +48,9 @@ check: .venv/installed-dev
 	$(BIN)/ruff format --check .
 	$(BIN)/pyright --project pyproject.toml
 
+# With OUT=bench/results/VERSION.json the tables are kept there too, as for each release.
 bench: .venv/installed-dev
-	$(BIN)/python -m bench
+	$(BIN)/python -m bench $(if $(OUT),--keep $(OUT))
 
 # From moving a slider to the drawn frame, in a real browser.
 bench-studio: .venv/installed-dev
@@ -63,4 +89,4 @@ extras: .venv/installed-dev
 	touch $@ .venv/installed
 
 clean:
-	rm -rf .venv out
+	rm -rf .venv .venv-lowest out

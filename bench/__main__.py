@@ -7,11 +7,12 @@ for _name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
     os.environ.setdefault(_name, "1")
 
 import argparse  # noqa: E402
+import json  # noqa: E402
 import platform  # noqa: E402
 from importlib.metadata import version  # noqa: E402
 from pathlib import Path  # noqa: E402
 
-from bench import accuracy, integrals, peers, speed, startup, sweeps  # noqa: E402
+from bench import accuracy, integrals, kept, peers, speed, startup, sweeps  # noqa: E402
 
 PARTS = {
     "accuracy": accuracy,
@@ -36,16 +37,22 @@ def machine() -> str:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--quick", action="store_true", help="fewer rounds and smaller grids")
+    parser.add_argument("--keep", type=Path, metavar="FILE.json", help="keep the tables in a file, as of a release")
     parser.add_argument("parts", nargs="*", default=[*PARTS], metavar="PART", help=f"some of {', '.join(PARTS)}")
     options = parser.parse_args()
     unknown = [name for name in options.parts if name not in PARTS]
     if unknown:
         parser.error(f"unknown part {unknown[0]!r}; there are {', '.join(PARTS)}")
-    print(
-        f"Measured on {machine()}.\nMedians of several rounds, ways in turn; spread is (longest - shortest) / median.\n"
-    )
+    on = machine()
+    print(f"Measured on {on}.\nMedians of several rounds, ways in turn; spread is (longest - shortest) / median.\n")
+    results: dict[str, object] = {}
     for name in options.parts:
-        PARTS[name].report(options.quick)
+        with kept.told() as text:
+            PARTS[name].report(options.quick)
+        results[name] = kept.tables(text.getvalue())
+    if options.keep:
+        record = {"quintrig": version("quintrig"), "machine": on, "quick": options.quick, "tables": results}
+        options.keep.write_text(json.dumps(record, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -2,7 +2,46 @@
 
 import signal
 
+import pytest
+
 # Where a run was started with Ctrl-C ignored, as in the background of a shell, the processes that tests start would
 # inherit that, and those that are interrupted would run on.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
+
+SLOW = frozenset(
+    [
+        "cad",
+        "cad_faults",
+        "cluster",
+        "compiled",
+        "durable",
+        "examples",
+        "exchange",
+        "extreme_models",
+        "figure_whole",
+        "hostile_input",
+        "mesh",
+        "outputs",
+        "plugins",
+        "properties",
+        "readme",
+        "recipes",
+        "report",
+        "reproduce",
+        "rhino_blocks",
+        "stream",
+        "sweep_numbers",
+        "sweep_refined",
+        "sweep_unbounded",
+    ]
+)
+"""Files of tests that take more than some twenty seconds, without ``test_``; those of the studio's pages besides."""
+
+
+def pytest_collection_modifyitems(items):
+    """Mark what is slow, so that ``-m "not slow"`` leaves it out."""
+    for item in items:
+        name = item.path.stem.removeprefix("test_")
+        if name in SLOW or name.startswith("studio_"):
+            item.add_marker(pytest.mark.slow)

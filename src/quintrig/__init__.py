@@ -16,8 +16,12 @@ if TYPE_CHECKING:
     from quintrig.analysis.sample import analyse as analyse
     from quintrig.analysis.stream import analyse_blocks as analyse_blocks
     from quintrig.analysis.summary import summarise as summarise
+    from quintrig.developables.unroll import Sheet as Sheet
+    from quintrig.developables.unroll import unroll as unroll
     from quintrig.enclosures.convex_hull import check_curve_hull as check_curve_hull
     from quintrig.enclosures.convex_hull import check_hull as check_hull
+    from quintrig.exchange.export import export as export
+    from quintrig.exchange.imports import open_model as open_model
     from quintrig.figure.plot import plot as plot
     from quintrig.figure.style import Style as Style
     from quintrig.geometry.closed_forms import catenoid as catenoid
@@ -39,6 +43,7 @@ if TYPE_CHECKING:
     from quintrig.geometry.domain import grid as grid
     from quintrig.geometry.envelope import developable as developable
     from quintrig.geometry.envelope import regression as regression
+    from quintrig.geometry.exact import exact_surface as exact_surface
     from quintrig.geometry.surface import Surface as Surface
     from quintrig.model.model import Model as Model
     from quintrig.model.model import load as load
@@ -58,6 +63,10 @@ _HOME = {
     "geometry.constructions": ("ruled", "swept", "swung", "symmetric", "tensor"),
     "geometry.curve": ("Curve",),
     "geometry.envelope": ("developable", "regression"),
+    "geometry.exact": ("exact_surface",),
+    "developables.unroll": ("Sheet", "unroll"),
+    "exchange.export": ("export",),
+    "exchange.imports": ("open_model",),
     "support.errors": ("ModelError",),
     "model.model": ("Model", "load"),
     "geometry.closed_forms": (

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from quintrig.analysis.extremes import Extremes
+from quintrig.analysis.integrate import region_share
 from quintrig.analysis.sample import Sample
 from quintrig.basis.functions import Functions
 from quintrig.basis.joined import Joined
@@ -59,6 +60,10 @@ class Singular:
 def find_singular(sample: Sample) -> Singular:
     """Return where a sample over a grid, edges included, is singular."""
     bad = sample.singular
+    if sample.surface.trim:  # its edges are its loops, not those of the domain
+        inside = sample.surface.inside(sample.u, sample.v)
+        count = int((bad & inside).sum())
+        return Singular(count, int(inside.sum()), (), (), 0, count)
     strips = (bad[0], bad[-1], bad[:, 0], bad[:, -1])
     whole = tuple(bool(strip.all()) for strip in strips)
     edges = tuple(edge for edge, full in zip(EDGES, whole, strict=True) if full)
@@ -98,40 +103,38 @@ def find_cautions(
     if size <= SINGULAR * float(np.abs(sample.point).max()):
         return ("The whole surface is a single point.",)
     singular = find_singular(sample)
-    if singular.count == singular.samples:
+    if singular.count == singular.samples > 0:
         return (singular.describe(), *_points(surface))
     told = [*_singular(surface, singular, size), *_parameters(surface, unit), *_points(surface)]
     regressive = _regression(surface)
     told += regressive or _folds(sample)
-    told += [*_unbounded(extremes), *_trimmed(surface, sample)]
+    told += _unbounded(extremes)
     return tuple(line for line in told if line)
 
 
 def find_notes(sample: Sample) -> tuple[str, ...]:
     """Return what is no fault of the surface but explains missing values; ``sample`` has at least "normal"."""
-    count = int((np.abs(sample.normal[..., 2]) <= VERTICAL).sum())
-    if not count:
-        return ()
-    return (
-        f"At {count} of {sample.singular.size} sample points the tangent plane is vertical: the invariants in the "
-        "metric of the plane are infinite there; those in the metric of the surface are not.",
-    )
-
-
-def _trimmed(surface: Surface, sample: Sample) -> list[str]:
-    if not surface.trim:
-        return []
+    surface = sample.surface
     inside = surface.inside(sample.u, sample.v)
-    outside = inside.size - int(inside.sum())
-    return [
-        f"The face is trimmed: {outside} of {inside.size} sample points lie outside its loops, on the carrier surface "
-        "alone; extremes, integrals and shares count all of the carrier."
-    ]
+    told: list[str] = []
+    if surface.trim:
+        share = 100.0 * region_share(surface)
+        told.append(
+            f"The face is trimmed: its loops hold {share:.4g} % of the domain of its surface. Integrals, means, shares "
+            "and extremes are those of the face; the option --whole takes all of the surface."
+        )
+    count = int(((np.abs(sample.normal[..., 2]) <= VERTICAL) & inside).sum())
+    if count:
+        told.append(
+            f"At {count} of {int(inside.sum())} sample points the tangent plane is vertical: the invariants in the "
+            "metric of the plane are infinite there; those in the metric of the surface are not."
+        )
+    return tuple(told)
 
 
 def _singular(surface: Surface, singular: Singular, size: float) -> list[str]:
     """Singular points: their number and place, once, and what becomes of the edges that are singular as a whole."""
-    points, still = _edges(surface, size)
+    points, still = _edges(surface, size) if not surface.trim else ([], {})
     lines = list(still.values())
     if points:
         one = len(points) == 1
@@ -247,7 +250,7 @@ def _regression(surface: Surface) -> list[str]:
 
 def _folds(sample: Sample) -> list[str]:
     """Places where the normal turns over between two samples."""
-    normal = sample.normal
+    normal = np.where(sample.surface.inside(sample.u, sample.v)[..., None], sample.normal, np.nan)
     turns_u = (normal[1:] * normal[:-1]).sum(axis=-1) < 0.0
     turns_v = (normal[:, 1:] * normal[:, :-1]).sum(axis=-1) < 0.0
     count = int(turns_u.sum() + turns_v.sum())

@@ -3,7 +3,8 @@
 The quantity is sampled on a grid that includes edges and corners. Around the best local extremes of the samples a
 window of 9 x 9 points closes in on the extreme: it moves while the best point lies on its border and shrinks otherwise,
 down to 1e-9 of the domain. Windows are cut off at the edges of the domain, so an extreme on an edge or at a corner is
-met exactly. A feature that is narrower than a grid cell and missed by all samples is not found.
+met exactly. A feature that is narrower than a grid cell and missed by all samples is not found. Of a trimmed face only
+points inside its loops count, and the loops themselves are searched along their length.
 A curvature that is zero to rounding is told as 0. Beside singular edges two rings decide whether curvature has a bound,
 as in integrals and sweeps (``beside``).
 """
@@ -18,8 +19,9 @@ from numpy.typing import NDArray
 from quintrig.analysis.integrate import Integral, area_means, orientation
 from quintrig.analysis.sample import analyse
 from quintrig.analysis.singular_edges import Limit, limits
-from quintrig.geometry.domain import grid
+from quintrig.geometry.domain import face_grid
 from quintrig.geometry.surface import Surface
+from quintrig.geometry.trimmed import along, window
 from quintrig.quantities.table import quantity
 from quintrig.support.arrays import BoolArray, FloatArray
 from quintrig.support.tolerance import rounding_floor
@@ -41,6 +43,8 @@ _FINEST = 1e-9  # half the width of the last window
 _BESIDE = 1e-3  # windows that hold undefined points stop here: beyond, rounding beside a singular point takes over
 _SHRINK = 0.3  # a little more than the distance of two points of a window, a quarter of its half width
 _STEPS = 100
+_ALONG = 64  # samples of a loop's side as long as the domain
+_MOST_ALONG = 8192  # samples of a loop
 _OFFSETS = 0.25 * (np.argwhere(np.ones((9, 9))) - 4)  # of the points of a window, (81, 2), from -1 to 1
 
 
@@ -104,11 +108,12 @@ def find_extremes(
     """
     means = area_means(surface, keys)
     found = find_ends(surface, keys, samples)
-    sample = analyse(surface, *grid(samples, samples), tuple(dict.fromkeys((*keys, "curvedness"))))
-    curved = sample["curvedness"]
+    u, v = face_grid(surface, samples, samples)
+    sample = analyse(surface, u, v, tuple(dict.fromkeys((*keys, "curvedness"))))
+    curved, inside = sample["curvedness"], surface.inside(u, v)
     results: dict[str, Extremes] = {}
     for key in keys:
-        values = _without_rounding(sample[key], curved, surface.size, key)
+        values = _without_rounding(sample[key], curved, surface.size, key)[inside]
         defined = np.isfinite(values)
         mean = float(values[defined].mean()) if defined.any() else np.nan
         results[key] = Extremes(
@@ -122,22 +127,22 @@ def find_ends(surface: Surface, keys: Sequence[str], samples: int = 65) -> dict[
 
     Raises ValueError as ``find_extremes`` does.
     """
-    u, v = grid(samples, samples)
+    u, v = face_grid(surface, samples, samples)
     sample = analyse(surface, u, v, tuple(dict.fromkeys((*keys, "curvedness"))))
-    curved = sample["curvedness"]
+    inside, beside = surface.inside(u, v), _beside(surface, sample["curvedness"])
+    curved = np.where(inside, sample["curvedness"], np.nan)
     typical = float(np.median(curved[np.isfinite(curved)])) if np.isfinite(curved).any() else 0.0
     # Where C itself vanishes its own rounding is the measure.
     curved_at = np.maximum(curved, 1e-5 * typical)
-    beside = _beside(surface, curved)
     results: dict[str, tuple[Extreme, Extreme]] = {}
     for key in keys:
-        values = _without_rounding(sample[key], curved, surface.size, key)
+        values = np.where(inside, _without_rounding(sample[key], curved, surface.size, key), np.nan)
         defined = np.isfinite(values)
         power = quantity(key).power
         # Curvatures may cancel; the size of their rounding is that of C to the same power.
         natural = typical ** (-power) if power <= 0 else 0.0
         if power < 0 and defined.any() and (np.abs(values) <= _CANCELLED * curved_at**-power)[defined].all():
-            minimum = maximum = _zero(surface, np.argwhere(defined)[0] / (samples - 1.0))
+            minimum = maximum = _zero(surface, _place(surface, np.argwhere(defined)[0], samples))
         else:
             minimum = _extreme(surface, key, values, 1.0, natural, beside)
             maximum = _extreme(surface, key, values, -1.0, natural, beside)
@@ -153,7 +158,14 @@ def _zero(surface: Surface, place: FloatArray) -> Extreme:
 def _beside(surface: Surface, curved: FloatArray) -> _Limits:
     """Return what becomes of curvatures beside singular edges; empty where there is none, or other singular points."""
     inner = np.isfinite(curved[1:-1, 1:-1]).all()
-    return (limits(surface) if inner else None) or {}
+    found = (limits(surface) if inner else None) or {}
+    return {end: limit for end, limit in found.items() if surface.inside(limit.u, limit.v)}
+
+
+def _place(surface: Surface, index: NDArray[np.intp], samples: int) -> FloatArray:
+    """Return the parameters (..., 2) of samples by their indices (..., 2)."""
+    low, high = window(surface.trim)
+    return low + (high - low) * index / (samples - 1.0)
 
 
 def _without_rounding(values: FloatArray, curved: FloatArray, size: float, key: str) -> FloatArray:
@@ -176,13 +188,18 @@ def _extreme(
     largest = max(float(np.abs(costs[np.isfinite(costs)]).max()), natural)
     starts = _local_minima(costs, largest)
     places, found, beside, growing = _refine(
-        surface, key, sense, starts / (n - 1.0), costs[starts[:, 0], starts[:, 1]], 1.0 / (n - 1.0), largest
+        surface, key, sense, _place(surface, starts, n), costs[starts[:, 0], starts[:, 1]], 1.0 / (n - 1.0), largest
     )
     growing &= limit is None
+    if surface.trim:
+        rim, least = _on_loops(surface, key, sense, largest)
+        places, found = np.concatenate([places, rim]), np.concatenate([found, least])
+        inner: BoolArray = np.zeros(len(least), dtype=np.bool_)
+        beside, growing = np.concatenate([beside, inner]), np.concatenate([growing, inner])
     best = min(float(costs.min()), float(found.min()))
     scale = max(abs(best), natural)
     tied = np.argwhere(costs <= best + _EQUAL * scale)
-    places = np.concatenate([tied / (n - 1.0), places])
+    places = np.concatenate([_place(surface, tied, n), places])
     found = np.concatenate([costs[tied[:, 0], tied[:, 1]], found])
     none = np.zeros(len(tied), dtype=np.bool_)
     beside, growing = np.concatenate([none, beside]), np.concatenate([none, growing])
@@ -244,14 +261,15 @@ def _refine(
     done: BoolArray = np.zeros(len(places), dtype=np.bool_)
     beside = done
     for _ in range(_STEPS):
-        window = np.clip(places[:, None] + widths[:, None, None] * _OFFSETS, 0.0, 1.0)
-        values = _values(surface, key, window[..., 0], window[..., 1])
+        near = np.clip(places[:, None] + widths[:, None, None] * _OFFSETS, 0.0, 1.0)
+        values = _values(surface, key, near[..., 0], near[..., 1])
         defined = np.isfinite(values)
         beside = np.any(~defined, axis=1)
-        costs = np.where(defined, sense * values, np.inf)
+        inside = surface.inside(near[..., 0], near[..., 1]) if surface.trim else True
+        costs = np.where(defined & inside, sense * values, np.inf)
         choice = costs.argmin(axis=1)
         better = ~done & (costs[each, choice] < best)
-        moved = window[each, choice]
+        moved = near[each, choice]
         # On the border of the window, but not of the domain, the extreme may lie further out: go on before shrinking.
         roam = better & ((np.abs(_OFFSETS[choice]) == 1.0) & (moved > 0.0) & (moved < 1.0)).any(axis=1)
         places = np.where(better[:, None], moved, places)
@@ -266,6 +284,39 @@ def _refine(
     unbounded = np.maximum(np.abs(best), _RISE * largest) <= best - probe
     places, best = np.where(unbounded[:, None], nearer, places), np.where(unbounded, probe, best)
     return places, best, beside, unbounded | (np.abs(best) > _POLE * largest)
+
+
+def _on_loops(surface: Surface, key: str, sense: float, largest: float) -> tuple[FloatArray, FloatArray]:
+    """Return places (c, 2) on the trim loops where sense · q is least, and its values (c,)."""
+    places: list[FloatArray] = []
+    found: list[FloatArray] = []
+    for loop in surface.trim:
+        longest = float(np.abs(np.roll(loop, -1, axis=0) - loop).max())
+        parts = max(1, min(round(longest * _ALONG), _ALONG, _MOST_ALONG // len(loop)))
+        t = np.arange(len(loop) * parts) / parts
+        at = along(loop, t)
+        costs = _costs(surface, key, sense, at)
+        slack = _EQUAL * largest
+        least = np.isfinite(costs) & (costs <= np.minimum(np.roll(costs, 1), np.roll(costs, -1)) + slack)
+        chosen = np.flatnonzero(least)
+        chosen = chosen[np.argsort(costs[chosen], kind="stable")[:_GROUPS]]
+        t, best, width = t[chosen], costs[chosen], 1.0 / parts
+        while len(t) and width > _FINEST:
+            near = t[:, None] + width * np.linspace(-1.0, 1.0, 9)
+            costs = _costs(surface, key, sense, along(loop, near))
+            choice = costs.argmin(axis=1)
+            each = np.arange(len(t))
+            better = costs[each, choice] < best
+            t, best = np.where(better, near[each, choice], t), np.where(better, costs[each, choice], best)
+            width *= _SHRINK
+        places.append(along(loop, t))
+        found.append(best)
+    return np.concatenate(places), np.concatenate(found)
+
+
+def _costs(surface: Surface, key: str, sense: float, at: FloatArray) -> FloatArray:
+    values = _values(surface, key, at[..., 0], at[..., 1])
+    return np.where(np.isfinite(values), sense * values, np.inf)
 
 
 def _values(surface: Surface, key: str, u: FloatArray, v: FloatArray) -> FloatArray:
@@ -283,10 +334,10 @@ def _probe(
 
     Returns the new places and sense · q there, infinite where the window has no undefined point.
     """
-    window = np.clip(places[:, None] + widths[:, None, None] * _OFFSETS, 0.0, 1.0)
-    undefined = ~np.isfinite(analyse(surface, window[..., 0], window[..., 1], (key,))[key])
-    distance = np.where(undefined, np.linalg.norm(window - places[:, None], axis=-1), np.inf)
-    target = window[np.arange(len(places)), distance.argmin(axis=1)]
+    near = np.clip(places[:, None] + widths[:, None, None] * _OFFSETS, 0.0, 1.0)
+    undefined = ~np.isfinite(analyse(surface, near[..., 0], near[..., 1], (key,))[key])
+    distance = np.where(undefined, np.linalg.norm(near - places[:, None], axis=-1), np.inf)
+    target = near[np.arange(len(places)), distance.argmin(axis=1)]
     nearer = places + 0.99 * (target - places)
     values = sense * analyse(surface, nearer[:, 0], nearer[:, 1], (key,))[key]
     return nearer, np.where(undefined.any(axis=1) & np.isfinite(values), values, np.inf)

@@ -11,18 +11,21 @@ finite, however large: panels graded to the edge resolve it (``layers``).
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Literal
 
 import numpy as np
 
 from quintrig.analysis.edge_layers import Layers, find_layers
 from quintrig.analysis.quadrature import (
     MOST_NODES,
+    Density,
     Integral,
     Panels,
     Status,
     checked_tolerance,
     converge,
     graded,
+    node_sums,
     nodes_for,
     panel_sums,
 )
@@ -31,6 +34,7 @@ from quintrig.analysis.singular_edges import CURVATURES, limits
 from quintrig.geometry.domain import grid
 from quintrig.geometry.envelope import inner_regression
 from quintrig.geometry.surface import Surface
+from quintrig.geometry.trimmed import Nodes, nodes_inside
 from quintrig.quantities.table import BY_KEY, Quantity, quantity
 from quintrig.support.arrays import FloatArray
 from quintrig.support.tolerance import NOISE, SINGULAR
@@ -84,6 +88,9 @@ INTEGRALS: tuple[Quantity, ...] = (
 )
 """The integrals, in the order of tables; ``parity`` and ``power`` as for the quantities at a point."""
 
+Region = Literal["trimmed", "whole"]
+"""Whether numbers are those of a trimmed face, or of the whole surface."""
+
 _LAST = 1e-14  # of the coordinates
 # Units in the last place that are no more than a point, as in ``cautions``
 _POINT = SINGULAR / np.finfo(np.float64).eps
@@ -95,7 +102,8 @@ class Integrals:
 
     ``points`` is the number of nodes of the last resolution; ``undefined`` the share of the domain whose nodes are
     singular, which adds nothing to the integrals of curvature. ``units`` is the surface's size in units in the last
-    place of its coordinates. ``orientation`` says which way the normal points.
+    place of its coordinates. ``orientation`` says which way the normal points, ``region`` whether they are those of
+    the ``trimmed`` face or of the ``whole`` surface.
     """
 
     area: Integral
@@ -108,6 +116,7 @@ class Integrals:
     undefined: float
     units: float
     orientation: str
+    region: Region = "whole"
 
     def __getitem__(self, key: str) -> Integral:
         """Return an integral by its key in ``INTEGRALS``; KeyError where there is none."""
@@ -121,6 +130,7 @@ class Integrals:
         return (
             f"The total mean curvature changes sign with the normal; here {self.orientation}.",
             "The thin-plate energy depends on the parametrisation: compare it only between surfaces built alike.",
+            *(["The integrals are those of the trimmed face."] if self.region == "trimmed" else []),
         )
 
     @property
@@ -153,7 +163,7 @@ INTEGRAL_BY_KEY: dict[str, Quantity] = {row.key: row for row in INTEGRALS}
 
 
 def integrals(surface: Surface, tolerance: float = 1e-9, panels: int = 64) -> Integrals:
-    """Return the integrals over the whole surface.
+    """Return the integrals over the surface, of a trimmed face over what its loops hold (``carrier`` has all of it).
 
     Two resolutions must agree to ``tolerance`` relative to the area A, the bending or thin-plate energy themselves,
     and, since they may cancel to zero, T = ∫C dA for ∫H dA and T²/A for ∫K dA. ``panels`` is the largest number a side.
@@ -166,11 +176,13 @@ def integrals(surface: Surface, tolerance: float = 1e-9, panels: int = 64) -> In
     rounding = (_LAST * reach) ** 2 * np.array([1.0, 0.0, 0.0, 0.0, 1e4, 0.0])
 
     layers = find_layers(surface)
+    domain = region_share(surface)
 
     def measure(count: int) -> tuple[FloatArray, FloatArray, FloatArray]:
-        area, total, mean, bending, plate, curvedness, undefined = panel_sums(
-            lambda u, v: _densities(surface, u, v), _panels(surface, count, layers)
+        area, total, mean, bending, plate, curvedness, undefined = _sums(
+            surface, lambda u, v: _densities(surface, u, v), _panels(surface, count, layers)
         )
+        undefined /= domain
         plane = NOISE / size * area if size > 0.0 else 0.0  # ∫C dA that is rounding of a plane
         root = curvedness**2 / area if area > 0.0 else 0.0
         scales = np.array([area, root, curvedness, bending, plate, 1.0])
@@ -189,8 +201,11 @@ def integrals(surface: Surface, tolerance: float = 1e-9, panels: int = 64) -> In
     bending = replace(bending, status=_energy_status(surface, bending.status))
     # The others are areas and angles, of the Gauss image too: finite even where curvature has no bound.
     area, total, mean, plate = (_bounded(result) for result in (area, total, mean, plate))
-    points = _panels(surface, count, layers).points
-    return Integrals(area, total, mean, bending, plate, tolerance, points, undefined, units, orientation(surface))
+    points = _points(surface, _panels(surface, count, layers))
+    region = "trimmed" if surface.trim else "whole"
+    return Integrals(
+        area, total, mean, bending, plate, tolerance, points, undefined, units, orientation(surface), region
+    )
 
 
 def area_means(surface: Surface, keys: Sequence[str], tolerance: float = 1e-5, panels: int = 16) -> dict[str, Integral]:
@@ -206,7 +221,7 @@ def area_means(surface: Surface, keys: Sequence[str], tolerance: float = 1e-5, p
     layers = find_layers(surface)
 
     def measure(count: int) -> tuple[FloatArray, FloatArray, FloatArray]:
-        sums = panel_sums(lambda u, v: _moments(surface, keys, u, v), _panels(surface, count, layers))
+        sums = _sums(surface, lambda u, v: _moments(surface, keys, u, v), _panels(surface, count, layers))
         n = len(keys)
         with np.errstate(divide="ignore", invalid="ignore"):
             means, sizes, curved = (
@@ -231,10 +246,11 @@ def area_means(surface: Surface, keys: Sequence[str], tolerance: float = 1e-5, p
 def area_weights(sample: Sample) -> FloatArray:
     """Return the share of the area that each point of a grid stands for, shape (nu, nv), sum 1 (0 for no area).
 
-    By the trapezium rule, from E, F and G, which the sample must have.
+    By the trapezium rule, from E, F and G, which the sample must have. Points outside the trim loops stand for none.
     """
     e, f, g = sample["E"], sample["F"], sample["G"]
     density = np.sqrt(np.maximum(np.nan_to_num(e * g - f * f), 0.0))
+    density *= sample.surface.inside(sample.u, sample.v)
     weights = density * _trapezium(sample.u[:, 0])[:, None] * _trapezium(sample.v[0])[None, :]
     total = weights.sum()
     return weights / total if total > 0.0 else weights
@@ -269,9 +285,30 @@ def _panels(surface: Surface, count: int, layers: Layers) -> Panels:
 
 def _most(surface: Surface, panels: int, layers: Layers) -> int:
     """Return the largest number of panels a side between two knots, at most ``panels``, that takes a few seconds."""
-    while panels > 2 and _panels(surface, panels, layers).points > MOST_NODES:
+    while panels > 2 and _points(surface, _panels(surface, panels, layers)) > MOST_NODES:
         panels //= 2
     return panels
+
+
+def _points(surface: Surface, panels: Panels) -> int:
+    return len(_nodes(surface, panels).u) if surface.trim else panels.points
+
+
+def _nodes(surface: Surface, panels: Panels) -> Nodes:
+    return nodes_inside(surface.trim, panels.u, panels.v, surface.breaks(1), panels.nodes)
+
+
+def _sums(surface: Surface, density: Density, panels: Panels) -> FloatArray:
+    """Return the integrals (k,) over the surface, of a trimmed face over what its loops hold."""
+    return node_sums(density, _nodes(surface, panels)) if surface.trim else panel_sums(density, panels)
+
+
+def region_share(surface: Surface) -> float:
+    """Return the share of the domain inside the trim loops, 1 where there are none."""
+    if not surface.trim:
+        return 1.0
+    whole = np.array([0.0, 1.0])
+    return float(nodes_inside(surface.trim, whole, whole, whole, 2).weights.sum())
 
 
 def _densities(surface: Surface, u: FloatArray, v: FloatArray) -> FloatArray:

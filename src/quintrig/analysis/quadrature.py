@@ -4,7 +4,7 @@ Panels never reach over a knot, where derivatives may jump. Those next to an edg
 before, down to the width of the layer there in which the
 integrand changes (``layers`` measures it). Doubling shifts the graded panels too, so that their error is seen as well.
 The error stated is the difference of the last two results, which is that of the coarser one, so the value is better
-than it says.
+than it says. A trimmed face has nodes inside its loops only (``trimmed``).
 """
 
 from collections.abc import Callable
@@ -14,6 +14,7 @@ from typing import Literal
 
 import numpy as np
 
+from quintrig.geometry.trimmed import Nodes
 from quintrig.support.arrays import BoolArray, FloatArray, number
 
 Status = Literal["converged", "not converged", "grows without bound", "undefined"]
@@ -27,7 +28,7 @@ _WHOLE: FloatArray = np.array([0.0, 1.0])
 _ROWS = 64  # rows of nodes evaluated at once, so that memory stays small
 
 Density = Callable[[FloatArray, FloatArray], FloatArray]
-"""Integrands (k, nu, nv) at parameters (nu, 1) and (1, nv)."""
+"""Integrands (k, nu, nv) at parameters (nu, 1) and (1, nv), or (k, n) at (n,) and (n,)."""
 Measure = Callable[[int], tuple[FloatArray, FloatArray, FloatArray]]
 """Values (k,), the sizes (k,) that a relative tolerance refers to, and rounding (k,), for this many panels a side."""
 
@@ -101,6 +102,11 @@ def panel_sums(density: Density, panels: Panels) -> FloatArray:
     (s, a), (t, w) = gauss(panels.u, panels.nodes), gauss(panels.v, panels.nodes)
     parts = [slice(start, start + _ROWS) for start in range(0, len(s), _ROWS)]
     return np.sum([(density(s[part, None], t[None, :]) @ w) @ a[part] for part in parts], axis=0)
+
+
+def node_sums(density: Density, nodes: Nodes) -> FloatArray:
+    """Return the integrals (k,) by given nodes."""
+    return np.sum([density(nodes.u[part], nodes.v[part]) @ nodes.weights[part] for part in nodes.parts], axis=0)
 
 
 def gauss(ends: FloatArray, count: int = NODES) -> tuple[FloatArray, FloatArray]:

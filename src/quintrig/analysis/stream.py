@@ -164,7 +164,8 @@ def _blocks(
 def _notes(surface: Surface, thresholds: Thresholds | None, unit: str) -> dict[str, str]:
     """Return what a reader must know of all quantities."""
     words = (thresholds or Thresholds()).describe(surface.size, unit) if surface.size > 0.0 else ""
-    return {"normal": orientation(surface), "unit of length": unit, "thresholds": words}
+    region = {"region": "the whole surface that the trimmed face is cut from"} if surface.trim else {}
+    return {"normal": orientation(surface), "unit of length": unit, "thresholds": words} | region
 
 
 def _rows(nv: int) -> int:

@@ -10,7 +10,7 @@ from quintrig.analysis.cautions import Singular, find_cautions, find_notes, find
 from quintrig.analysis.extremes import Extremes, find_extremes
 from quintrig.analysis.integrate import Integrals, area_weights, integrals, orientation
 from quintrig.analysis.sample import Sample, analyse
-from quintrig.geometry.domain import grid
+from quintrig.geometry.domain import face_grid
 from quintrig.geometry.surface import Surface
 from quintrig.quantities.classify import Thresholds
 from quintrig.quantities.table import quantity
@@ -65,16 +65,19 @@ def summarise(
     """Return the summary of a surface.
 
     ``samples`` a side are classified and searched for extremes; ``tolerance`` is that of the integrals.
-    Raises ValueError for fewer than 2 samples or an unfit tolerance.
+    Of a trimmed face it is that of the face; ``surface.carrier`` is all of its surface. Raises ValueError for fewer
+    than 2 samples or an unfit tolerance.
     """
-    u, v = grid(samples, samples)
+    u, v = face_grid(surface, samples, samples)
     keys = ("point", "normal", "mean", "E", "F", "G", *CLASSIFIED)
     sample = analyse(surface, u, v, keys, thresholds=thresholds)
     found = integrals(surface, tolerance)
     extremes = find_extremes(surface, EXTREMES, samples)
     weights = area_weights(sample)
     shares = {key: class_shares(sample, key, weights) for key in CLASSIFIED}
-    points = sample.point.reshape(-1, 3)
+    points = sample.point[surface.inside(u, v)]
+    if surface.trim:
+        points = np.concatenate([points, *(surface(*loop.T) for loop in surface.trim)])
     box = np.stack([points.min(axis=0), points.max(axis=0)])
     box.setflags(write=False)
     singular = find_singular(sample)
@@ -101,9 +104,10 @@ def summarise(
 def class_shares(sample: Sample, key: str, weights: FloatArray) -> tuple[ClassShare, ...]:
     """Return the classes of ``key`` that occur in a grid sample, largest first; ``weights`` from ``area_weights``."""
     names = quantity(key).classes
-    codes = sample[key].reshape(-1)
+    inside = sample.surface.inside(sample.u, sample.v)
+    codes, weights = sample[key][inside], weights[inside]
     counts = np.bincount(codes, minlength=len(names))
     areas = np.zeros(len(names))
-    np.add.at(areas, codes, weights.reshape(-1))
+    np.add.at(areas, codes, weights)
     found = [ClassShare(names[i], float(areas[i]), int(counts[i])) for i in range(len(names)) if counts[i]]
     return tuple(sorted(found, key=lambda part: (-part.share, -part.count)))

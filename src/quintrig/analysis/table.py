@@ -1,7 +1,7 @@
 """Tables of quantities at chosen points of a surface; ``typeset`` writes them."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 import numpy as np
@@ -11,6 +11,7 @@ from quintrig.analysis.sample import Sample, analyse
 from quintrig.geometry.surface import Surface
 from quintrig.quantities.classify import Thresholds
 from quintrig.quantities.table import BY_KEY, CLASSES, Quantity, quantity
+from quintrig.support.arrays import BoolArray
 from quintrig.support.tolerance import rounding_floor
 
 Metric = Literal["planar", "surface", "both"]
@@ -55,6 +56,8 @@ class Table:
     columns: tuple[Column, ...]
     lead: int = 2
     """How many of the first columns name the row, such as u and v."""
+    region: str = ""
+    """Of a trimmed face: whether the values are of the ``trimmed`` face or of its ``whole`` surface."""
 
     @property
     def rows(self) -> Iterator[tuple[float | str, ...]]:
@@ -72,24 +75,39 @@ def tabulate(
     unit: str = "",
     title: str = "",
     thresholds: Thresholds | None = None,
+    whole: bool = False,
 ) -> Table:
     """Return a table of u, v, x, y, z and the quantities at parameters that broadcast as in NumPy.
 
     ``quantities`` are keys of ``quantity.QUANTITIES`` (None: ``STANDARD``); an invariant without ``_surface`` is given
-    in ``metric``. ``unit`` is the unit of length, empty for plain numbers. Raises ValueError for unknown keys or
-    metrics and for parameters outside [0, 1].
+    in ``metric``. Points outside the loops of a trimmed face have a place but no values, save where ``whole`` asks for
+    those of all of its surface. ``unit`` is the unit of length, empty for plain numbers. Raises ValueError for unknown
+    keys or metrics and for parameters outside [0, 1].
     """
     keys = _in_metric(STANDARD if quantities is None else quantities, metric)
     sample = analyse(surface, u, v, ("point", "mean", "curvedness", *keys), thresholds=thresholds)
+    inside = np.broadcast_to(surface.inside(sample.u, sample.v), sample.shape)
+    if not whole:
+        sample = replace(sample, values={key: _within(key, sample[key], inside) for key in sample.values})
     columns: list[Column] = []
     for name, values in zip("uv", np.broadcast_arrays(sample.u, sample.v), strict=True):
         columns.append(Column(name, name, name, f"parameter {name}", "", _floats(values), _floats(values)))
     for key in ("point", *(key for key in keys if key != "point")):
         columns += _columns(BY_KEY[key], sample, unit)
     if surface.trim:
-        words = tuple("inside" if inner else "outside" for inner in surface.inside(sample.u, sample.v).ravel().tolist())
+        words = tuple("inside" if inner else "outside" for inner in inside.ravel().tolist())
         columns.append(Column("trim", "trim", r"\mathrm{trim}", "side of the face's trim loops", "", words, words))
-    return Table(title, _notes(sample, keys, unit), tuple(columns))
+    region = "" if not surface.trim else "whole" if whole else "trimmed"
+    return Table(title, _notes(sample, keys, unit, whole), tuple(columns), region=region)
+
+
+def _within(key: str, values: NDArray[Any], inside: BoolArray) -> NDArray[Any]:
+    """Return values (...) or vectors (..., 3) with none outside a face; a point has its place all the same."""
+    if key == "point" or inside.all():
+        return values
+    kept = inside[..., None] if values.ndim > inside.ndim else inside
+    nothing: Any = 0 if BY_KEY[key].colour == "classes" else np.nan
+    return np.where(kept, values, nothing).astype(values.dtype)
 
 
 def normal_note(sample: Sample) -> str:
@@ -133,7 +151,7 @@ def _columns(q: Quantity, sample: Sample, unit: str) -> list[Column]:
     return columns
 
 
-def _notes(sample: Sample, keys: Sequence[str], unit: str) -> tuple[str, ...]:
+def _notes(sample: Sample, keys: Sequence[str], unit: str, whole: bool) -> tuple[str, ...]:
     notes = [
         f"Lengths in {unit}." if unit else "Lengths are plain numbers: the model states no unit.",
         normal_note(sample),
@@ -148,8 +166,12 @@ def _notes(sample: Sample, keys: Sequence[str], unit: str) -> tuple[str, ...]:
     if any(key in CLASSES for key in keys) and sample.size > 0.0:
         notes.append(f"Types: {sample.thresholds.describe(sample.size, unit)}.")
     if sample.surface.trim:
-        notes.append("The face is trimmed: points outside its loops belong to the carrier surface alone.")
-    count = int(sample.singular.sum())
+        outside = (
+            "belong to its whole surface alone" if whole else "have no values (--whole gives those of its surface)"
+        )
+        notes.append(f"The face is trimmed: points outside its loops {outside}.")
+    inside = sample.surface.inside(sample.u, sample.v) | whole
+    count = int((sample.singular & inside).sum())
     if count:
         notes.append(
             f"{count} of {sample.singular.size} points {'is' if count == 1 else 'are'} singular: without a tangent "

@@ -8,6 +8,7 @@ import typer
 
 from quintrig.cli import session
 from quintrig.cli.ending import FOUND, MISTAKE, printable
+from quintrig.cli.options import Whole
 from quintrig.support.errors import ModelError
 
 if TYPE_CHECKING:
@@ -32,6 +33,7 @@ def check(
     models: Annotated[
         list[Path], typer.Argument(metavar="MODEL...", help="Model files, or CAD files.", show_default=False)
     ],
+    whole: Whole = False,
     strict: Annotated[bool, typer.Option("--strict", help="Exit with 1 where there are warnings.")] = False,
 ) -> None:
     """Check models, and tell in a few lines what each is and what to beware of.
@@ -45,7 +47,7 @@ def check(
         if index:
             session.emit("")
         try:
-            warnings += _tell(path, session.load(path), console)
+            warnings += _tell(path, session.load(path, whole=whole), console)
         except ModelError as error:
             session.complain(str(error))
             mistakes += 1

@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 import typer
 
 from quintrig.cli import session
-from quintrig.cli.options import Face, ModelFile, WhichPatch
+from quintrig.cli.options import Face, ModelFile, WhichPatch, Whole
 
 _EPILOG = session.examples(
     ("quintrig flatten duct.toml duct.dxf", "outline, bend lines, dimensions, on layers"),
@@ -28,6 +28,7 @@ def flatten(
     ],
     patch: WhichPatch = None,
     face: Face = None,
+    whole: Whole = False,
     thickness: Annotated[float, typer.Option(metavar="LENGTH", help="Thickness of the sheet.")] = 0.0,
     k_factor: Annotated[
         float, typer.Option(metavar="K", help="Place of the neutral layer from the inside of a bend, share of it.")
@@ -55,7 +56,6 @@ def flatten(
     inside with the place where it does.
     """
     from quintrig.developables.unroll import Sheet
-    from quintrig.exchange.imports import open_model
     from quintrig.exchange.pattern.flatten import FlattenOptions, export_pattern
     from quintrig.exchange.pattern.layout import PatternOptions
     from quintrig.support.files import refuse_loss
@@ -63,7 +63,7 @@ def flatten(
     stock = None if sheet is None else _size(sheet)
     drawing = PatternOptions(step, stock, margin)
     options = FlattenOptions(Sheet(thickness, k_factor, side), drawing, chord, distortion)
-    loaded = open_model(model, None if face is None else [face])
+    loaded = session.load(model, face, whole)
     refuse_loss(output, model)
     replaced = output.is_file()
     for line in export_pattern(loaded.patch(patch), loaded.unit, output, options):

@@ -51,4 +51,6 @@ def grid(
         written = write(
             surface, output, nu, nv, keys, unit=loaded.unit, progress=lambda done, total: show("rows", done, total)
         )
+    if surface.trim:
+        session.remark("the face is trimmed; the grid is of its whole surface")
     session.wrote(written, replaced)

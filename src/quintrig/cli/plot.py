@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from quintrig.cli import session
-from quintrig.cli.options import Face, Listing, ModelFile, OnlyPatch
+from quintrig.cli.options import Face, Listing, ModelFile, OnlyPatch, Whole
 from quintrig.cli.style import with_style
 
 if TYPE_CHECKING:
@@ -67,6 +67,7 @@ def plot(
     dpi: Annotated[int, typer.Option(min=30, max=600, help="Dots per inch of a .png.")] = 200,
     listing: Listing = False,
     face: Face = None,
+    whole: Whole = False,
     style: "Style | None" = None,
 ) -> None:
     """Draw a model in space, with true proportions, or as flat maps over its parameters.
@@ -74,7 +75,7 @@ def plot(
     One picture a quantity, each with its scale; surface stands for the plain surface.
     """
     keys = read_keys(quantities)
-    loaded = session.load(model, face)
+    loaded = session.load(model, face, whole)
     chosen = session.patches(loaded, patch)
     if shape is not None:
         values = session.numbers(shape, None, "--shape")

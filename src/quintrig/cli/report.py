@@ -6,7 +6,7 @@ from typing import Annotated
 import typer
 
 from quintrig.cli import session
-from quintrig.cli.options import Face, ModelFile
+from quintrig.cli.options import Face, ModelFile, Whole
 
 _EPILOG = session.examples(
     ("quintrig report car_boot.toml out/car_boot", "writes the page into the folder out/car_boot"),
@@ -23,9 +23,10 @@ def report(
     model: ModelFile,
     out: Annotated[Path, typer.Argument(metavar="OUT", help="Folder or .html file to write.", show_default=False)],
     face: Face = None,
+    whole: Whole = False,
 ) -> None:
     """Write a page on a model: figures, tables, integrals, how far the methods agree, warnings."""
-    loaded = session.load(model, face)
+    loaded = session.load(model, face, whole)
     from quintrig.report import write_report
 
     with session.progress() as progress:

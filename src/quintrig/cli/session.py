@@ -19,8 +19,16 @@ if TYPE_CHECKING:
     from quintrig.model.model import Model, Patch
 
 
-def load(path: Path, face: int | None = None) -> "Model":
-    """Read a model file, or a CAD file, all its faces or one; ModelError or QuintrigError in one line."""
+def load(path: Path, face: int | None = None, whole: bool = False) -> "Model":
+    """Read a model file, or a CAD file, all its faces or one; ModelError or QuintrigError in one line.
+
+    ``whole`` takes all of the surfaces that trimmed faces are cut from.
+    """
+    model = _load(path, face)
+    return replace(model, patches=tuple(patch.carrier for patch in model.patches)) if whole else model
+
+
+def _load(path: Path, face: int | None) -> "Model":
     if face is not None or path.suffix.lower() not in (".toml", ".json"):
         from quintrig.exchange.cad import isolated
         from quintrig.exchange.imports import open_model

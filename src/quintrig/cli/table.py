@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from quintrig.cli import session
-from quintrig.cli.options import Face, Listing, ModelFile, WhichPatch
+from quintrig.cli.options import Face, Listing, ModelFile, WhichPatch, Whole
 from quintrig.cli.show import print_table
 
 if TYPE_CHECKING:
@@ -62,6 +62,7 @@ def table(
     siunitx: Annotated[bool, typer.Option("--siunitx", help="LaTeX that aligns numbers with siunitx.")] = False,
     listing: Listing = False,
     face: Face = None,
+    whole: Whole = False,
 ) -> None:
     """Give position, curvatures, types and invariants at chosen points.
 
@@ -85,7 +86,7 @@ def table(
     one = loaded.patch(patch)
     keys = [word.strip() for word in quantities.split(",")] if quantities is not None else None
     title = loaded.name if len(loaded.patches) == 1 else f"{loaded.name}: {one.name}"
-    result = tabulate(one.surface, u, v, keys, metric=metric, unit=loaded.unit, title=title)
+    result = tabulate(one.surface, u, v, keys, metric=metric, unit=loaded.unit, title=title, whole=whole)
     if chosen == "text":
         print_table(result, session.output())
         return

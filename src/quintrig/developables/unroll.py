@@ -8,19 +8,21 @@ follows from integrating along the strip (do Carmo 1976, §4-4: isometries keep 
 A and B the boundaries, a and b their images. The integrals are spectral, so lengths agree to rounding.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from quintrig.developables.loops import face_area, flat_loops, loops_area
+from quintrig.developables.panels import Panels
 from quintrig.developables.rulings import Rulings, rulings
 from quintrig.geometry.surface import Surface
+from quintrig.geometry.trimmed import window
 from quintrig.support.arrays import BoolArray, FloatArray
 from quintrig.support.tolerance import rounding
 
 ALLOWED = 1e-9
 """Largest relative change of a length or of the area, beside rounding, that still counts as none."""
 
-_NODES = 16
 _MOST_PANELS = 2048
 
 
@@ -54,7 +56,10 @@ class Sheet:
 
 @dataclass(frozen=True)
 class Isometry:
-    """Lengths of both boundaries and area of the neutral layer, and their relative changes in the pattern."""
+    """Lengths of both boundaries and area of the neutral layer, and their relative changes in the pattern.
+
+    Of a trimmed face the area is that of the face, its change that of the polygons.
+    """
 
     first: float
     second: float
@@ -76,7 +81,8 @@ class Pattern:
 
     At parameters ``t`` (n,) along the strip: the boundary points ``first`` and ``second`` (n, 2), length¹, and ``bend``
     (n,), by how much the normal has turned since t = 0 in radians, counted without sign; ``upward`` (n,) tells where
-    the sheet bends towards the viewer. ``along`` names the parameter, ``u`` or ``v``.
+    the sheet bends towards the viewer. ``along`` names the parameter, ``u`` or ``v``. A trimmed face has ``loops``
+    (n, 2) too, its outline and holes, and lies between the two values ``span`` of the parameter.
     """
 
     t: FloatArray
@@ -87,11 +93,14 @@ class Pattern:
     along: str
     sheet: Sheet
     isometry: Isometry
+    loops: tuple[FloatArray, ...] = ()
+    span: tuple[float, float] = (0.0, 1.0)
 
     @property
     def outline(self) -> FloatArray:
-        """The closed outline, counter-clockwise, (2 n, 2)."""
-        loop = np.concatenate([self.first, self.second[::-1]])
+        """The closed outline, counter-clockwise, (n, 2); the longest loop of a trimmed face."""
+        strip = np.concatenate([self.first, self.second[::-1]])
+        loop = max(self.loops, key=_perimeter, default=strip)
         x, y = loop.T
         turns = (x * np.roll(y, -1) - np.roll(x, -1) * y).sum()
         return loop if turns > 0.0 else loop[::-1]
@@ -102,7 +111,8 @@ def unroll(
 ) -> Pattern:
     """Return the flat pattern of a developable surface with straight rulings along u or v.
 
-    Its polygons are within ``chord`` (length¹, by default 1e-5 of the size) of the true outline. Raises ValueError for
+    Its polygons are within ``chord`` (length¹, by default 1e-5 of the size) of the true outline. That of a trimmed
+    face has its outline and holes (``surface.carrier`` gives that of the whole strip). Raises ValueError for
     a single point, a surface without straight rulings, one that is not developable, with the measured distortion, and
     one whose edge of regression lies inside the strip, with the parameters between which it does.
     """
@@ -113,9 +123,9 @@ def unroll(
     size = surface.size
     corners = np.array([0.0, 0.5, 1.0])
     rounded = rounding(surface(corners[:, None], corners))
-    panels = _Panels(lines, 4)
+    panels = Panels(lines, 4)
     while True:
-        finer = _Panels(lines, 2 * panels.per_piece)
+        finer = Panels(lines, 2 * panels.per_piece)
         moved = np.abs(finer.end - panels.end).max()
         panels = finer
         if moved <= 1e-13 * size + rounded or panels.per_piece >= _MOST_PANELS:
@@ -124,84 +134,31 @@ def unroll(
     if not isometry.worst <= allowed + rounded / size:
         raise ValueError(_refusal(lines, isometry, allowed))
     t = _sites(panels, chord if chord is not None else 1e-5 * size)
+    span = window(surface.trim)[:, 0 if lines.along == "u" else 1]
+    t = np.union1d(t, span)  # bend lines of a trimmed face start and end there
     first, second, bend, upward = panels.at(t)
-    return Pattern(t, first, second, bend, upward, lines.along, sheet, isometry)
+    pattern = Pattern(t, first, second, bend, upward, lines.along, sheet, isometry)
+    return _trimmed(pattern, lines, panels, chord if chord is not None else 1e-5 * size) if surface.trim else pattern
 
 
-class _Panels:
-    """The integrals on panels between the breaks of the strip, as Legendre series of each panel."""
-
-    def __init__(self, lines: Rulings, per_piece: int) -> None:
-        self.per_piece = per_piece
-        steps = np.linspace(0.0, 1.0, per_piece, endpoint=False)
-        pieces = [low + (high - low) * steps for low, high in zip(lines.breaks[:-1], lines.breaks[1:], strict=True)]
-        self.edges: FloatArray = np.concatenate([*pieces, [1.0]])
-        half = 0.5 * np.diff(self.edges)
-        nodes, self.weights = np.polynomial.legendre.leggauss(_NODES)
-        self.t = 0.5 * (self.edges[1:] + self.edges[:-1])[:, None] + half[:, None] * nodes
-        self._to_series = np.linalg.inv(np.polynomial.legendre.legvander(nodes, _NODES - 1))
-        self.half = half
-        local = lines.at(self.t.ravel())
-        shape = self.t.shape
-        self.length = local.length.reshape(shape)
-        turning, self.turning_at_nodes = self._integral(local.turning.reshape(shape), nodes)
-        self._turning, self._turning_start = turning
-        c, s = np.cos(self.turning_at_nodes), np.sin(self.turning_at_nodes)
-        along, across = local.along[0].reshape(shape), local.across[0].reshape(shape)
-        (self._x, self._x_start), x = self._integral(along * c - across * s, nodes)
-        (self._y, self._y_start), y = self._integral(along * s + across * c, nodes)
-        (self._bend, self._bend_start), _ = self._integral(np.abs(local.bend).reshape(shape), nodes)
-        self._length = self._series(self.length)
-        self._upward = self._series(local.upward.reshape(shape).astype(np.float64))
-        self.first = np.stack([x, y], axis=-1)
-        self.second = self.first + self.length[..., None] * np.stack([c, s], axis=-1)
-
-    @property
-    def end(self) -> FloatArray:
-        """Both ends of the last ruling, (2, 2), to see whether the integrals have settled."""
-        first, second, _, _ = self.at(np.ones(1))
-        return np.concatenate([first, second])
-
-    def at(self, t: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray, BoolArray]:
-        """Return both boundary points, the bend so far and its direction at parameters (n,)."""
-        k = np.clip(np.searchsorted(self.edges, t, side="right") - 1, 0, len(self.half) - 1)
-        local = (t - self.edges[k]) / self.half[k] - 1.0
-        basis = np.polynomial.legendre.legvander(local, _NODES)
-
-        def value(series: FloatArray, start: FloatArray) -> FloatArray:
-            return start[k] + (basis[:, : series.shape[1]] * series[k]).sum(axis=1)
-
-        angle = value(self._turning, self._turning_start)
-        first = np.stack([value(self._x, self._x_start), value(self._y, self._y_start)], axis=-1)
-        none = np.zeros(len(self.half))
-        reach = value(self._length, none)[:, None] * np.stack([np.cos(angle), np.sin(angle)], axis=-1)
-        upward = value(self._upward, none) > 0.5
-        return first, first + reach, value(self._bend, self._bend_start), upward
-
-    def slopes(self, values: FloatArray) -> FloatArray:
-        """Return the derivatives by t at the nodes of functions given there, (panels, nodes, ...)."""
-        series = np.einsum("ij,pj...->pi...", self._to_series, values)
-        derived = np.polynomial.legendre.legder(np.eye(_NODES), axis=0)
-        back = np.linalg.inv(self._to_series)[:, : _NODES - 1] @ derived
-        return np.einsum("ij,pj...->pi...", back, series) / self.half.reshape(-1, *[1] * (values.ndim - 1))
-
-    def total(self, values: FloatArray) -> float:
-        """Return the integral over the strip of a function given at the nodes."""
-        return float((self.half * (values @ self.weights)).sum())
-
-    def _series(self, values: FloatArray) -> FloatArray:
-        return values @ self._to_series.T
-
-    def _integral(self, values: FloatArray, nodes: FloatArray) -> tuple[tuple[FloatArray, FloatArray], FloatArray]:
-        """Return the integral from t = 0 as (series, value at the start of each panel), and its values at the nodes."""
-        series = np.polynomial.legendre.legint(self._series(values), axis=1, lbnd=-1) * self.half[:, None]
-        ends = series.sum(axis=1)  # every Legendre polynomial is 1 at the end of its panel
-        start = np.concatenate([[0.0], np.cumsum(ends)[:-1]])
-        at_nodes = start[:, None] + series @ np.polynomial.legendre.legvander(nodes, _NODES).T
-        return (series, start), at_nodes
+def _trimmed(pattern: Pattern, lines: Rulings, panels: Panels, chord: float) -> Pattern:
+    """Return the pattern with the loops of the face, and their area in place of the whole strip's."""
+    surface = lines.surface
+    loops = flat_loops(lines, panels, chord)
+    area = face_area(lines)
+    if not area > 0.0:
+        raise ValueError("the trim loops hold no area; export the face again")
+    change = abs(loops_area(surface, loops) - area) / area
+    low, high = window(surface.trim)[:, 0 if lines.along == "u" else 1].tolist()
+    isometry = replace(pattern.isometry, area=area, area_change=change)
+    return replace(pattern, loops=loops, span=(low, high), isometry=isometry)
 
 
-def _isometry(lines: Rulings, panels: _Panels) -> Isometry:
+def _perimeter(loop: FloatArray) -> float:
+    return float(np.sqrt(((loop - np.roll(loop, 1, axis=0)) ** 2).sum(-1)).sum())
+
+
+def _isometry(lines: Rulings, panels: Panels) -> Isometry:
     """Compare pattern and surface: lengths by differentiating the pattern's curves, the area by Green's theorem."""
     local = lines.at(panels.t.ravel())
     shape = panels.t.shape
@@ -237,7 +194,7 @@ def _refusal(lines: Rulings, isometry: Isometry, allowed: float) -> str:
     )
 
 
-def _sites(panels: _Panels, chord: float) -> FloatArray:
+def _sites(panels: Panels, chord: float) -> FloatArray:
     """Return parameters whose polygons are within ``chord`` of both boundaries, panel edges included."""
     t = panels.edges
     for _ in range(30):

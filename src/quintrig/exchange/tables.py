@@ -34,12 +34,14 @@ def to_csv(table: Table) -> str:
 def to_json(table: Table) -> str:
     """Return a JSON object: title, notes, columns (key, symbol, name, unit) and one object a row.
 
-    NaN becomes null; an infinite value, for which JSON has no number, the text "inf" or "-inf".
+    Of a trimmed face also its region, trimmed or whole. NaN becomes null; an infinite value, for which JSON has no
+    number, the text "inf" or "-inf".
     """
     keys = [column.key for column in table.columns]
     document = {
         "title": table.title,
         "notes": table.notes,
+        **({"region": table.region} if table.region else {}),
         "columns": [
             {"key": column.key, "symbol": column.symbol, "name": column.name, "unit": column.unit}
             for column in table.columns

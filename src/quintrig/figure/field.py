@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from quintrig.analysis.sample import Sample, analyse
 from quintrig.figure.palette import Limits, between, class_colours, limits, real_colours
 from quintrig.figure.style import STANDARD, Style
+from quintrig.geometry.domain import face_grid
 from quintrig.geometry.surface import Surface
 from quintrig.quantities.classify import Thresholds
 from quintrig.quantities.table import Quantity, quantity
@@ -22,8 +23,8 @@ from quintrig.support.tolerance import SAME_COLOUR
 class Field:
     """Values (n, m) of one quantity at ``u`` (n,) and ``v`` (m,), and its natural ``scale`` on the surface.
 
-    What is within ``noise`` (n, m) of zero is rounding. ``shades`` (n, m, 3) are the colours of classes, mixed where a
-    border runs through a cell, so that borders are smooth.
+    What is within ``noise`` (n, m) of zero is rounding; ``inside`` (n, m) is false outside a trimmed face. ``shades``
+    (n, m, 3) are the colours of classes, mixed where a border runs through a cell, so that borders are smooth.
     """
 
     quantity: Quantity
@@ -32,12 +33,14 @@ class Field:
     values: NDArray[Any]
     scale: float
     noise: FloatArray
+    inside: BoolArray
     shades: FloatArray | None = None
 
     @property
     def undefined(self) -> NDArray[np.bool_]:
         """True where the value is NaN or infinite, or the class is code 0."""
-        return self.values == 0 if self.quantity.colour == "classes" else ~np.isfinite(self.values)
+        undefined = self.values == 0 if self.quantity.colour == "classes" else ~np.isfinite(self.values)
+        return undefined & self.inside
 
     def colours(self, stretch: Limits | None) -> FloatArray:
         """Return RGB colours, shape (n, m, 3), of a real quantity between the limits, its own where None."""
@@ -48,7 +51,7 @@ class Field:
 
 
 def field(surface: Surface, key: str, u: FloatArray, v: FloatArray, thresholds: Thresholds | None = None) -> Field:
-    """Compute a quantity on the grid u (n,) x v (m,); ValueError for a key that has no colour."""
+    """Compute a quantity on the grid u (n,) x v (m,), none outside a face; ValueError for a key that has no colour."""
     q = quantity(key)
     if q.colour == "vector":
         raise ValueError(f"{key}: a vector cannot be drawn as a colour; choose a number or a class")
@@ -57,38 +60,47 @@ def field(surface: Surface, key: str, u: FloatArray, v: FloatArray, thresholds: 
     noise = np.full(sample.shape, scale)
     if q.power < 0:  # rounding grows with the curvature, as near an edge of regression
         noise = np.fmax(noise, sample["curvedness"] ** -q.power)
-    return Field(q, u, v, sample[key], scale, SAME_COLOUR * noise)
+    inside = np.broadcast_to(surface.inside(sample.u, sample.v), sample.shape)
+    values = np.where(inside, sample[key], 0 if q.colour == "classes" else np.nan).astype(sample[key].dtype)
+    return Field(q, u, v, values, scale, SAME_COLOUR * noise, inside)
 
 
 def facet_fields(
-    surfaces: Sequence[Surface], key: str | None, cells: int = 120, thresholds: Thresholds | None = None
+    surfaces: Sequence[Surface],
+    key: str | None,
+    cells: int = 120,
+    thresholds: Thresholds | None = None,
+    *,
+    square: bool = False,
 ) -> list[Field]:
     """Return the quantity at the middle of every facet of each surface; none for ``key`` None.
 
-    A facet with an undefined corner is undefined, so that singular points on the edge are not hidden.
+    A facet with an undefined corner is undefined, so that singular points on the edge are not hidden. The facets of a
+    trimmed face span its loops, with ``square`` the whole domain.
     """
     if key is None:
         return []
-    nodes = np.linspace(0.0, 1.0, cells + 1)
-    centres = 0.5 * (nodes[:-1] + nodes[1:])
     found: list[Field] = []
     for surface in surfaces:
-        inner = field(surface, key, centres, centres, thresholds)
-        corner = field(surface, key, nodes, nodes, thresholds).undefined
+        u, v = (nodes.ravel() for nodes in face_grid(surface.carrier if square else surface, cells + 1, cells + 1))
+        inner = field(surface, key, 0.5 * (u[:-1] + u[1:]), 0.5 * (v[:-1] + v[1:]), thresholds)
+        corner = field(surface, key, u, v, thresholds).undefined
         bad = corner[:-1, :-1] | corner[1:, :-1] | corner[1:, 1:] | corner[:-1, 1:]
         nothing = 0 if inner.quantity.colour == "classes" else np.nan
         values = np.where(bad, nothing, inner.values).astype(inner.values.dtype)
-        shades = _shades(surface, key, cells, bad, thresholds) if inner.quantity.colour == "classes" else None
-        found.append(Field(inner.quantity, inner.u, inner.v, values, inner.scale, inner.noise, shades))
+        shades = _shades(surface, inner, bad, thresholds) if inner.quantity.colour == "classes" else None
+        found.append(Field(inner.quantity, inner.u, inner.v, values, inner.scale, inner.noise, inner.inside, shades))
     return found
 
 
-def _shades(surface: Surface, key: str, cells: int, bad: BoolArray, thresholds: Thresholds | None) -> FloatArray:
-    """Return the mean colour of 4 x 4 points in each cell, that of no class where it is ``bad``."""
-    fine = (np.arange(4 * cells) + 0.5) / (4 * cells)
-    codes = analyse(surface, fine[:, None], fine[None, :], key, thresholds=thresholds)[key]
-    mixed = class_colours(codes, key).reshape(cells, 4, cells, 4, 3).mean(axis=(1, 3))
-    mixed[bad] = class_colours(np.zeros(1, dtype=np.int8), key)[0]
+def _shades(surface: Surface, inner: Field, bad: BoolArray, thresholds: Thresholds | None) -> FloatArray:
+    """Return the mean colour of 4 x 4 points in each cell around those of ``inner``, that of no class where ``bad``."""
+    key, (n, m) = inner.quantity.key, inner.values.shape
+    offsets = np.array([-0.375, -0.125, 0.125, 0.375])
+    u, v = (t[:, None] + (t[1] - t[0]) * offsets for t in (inner.u, inner.v))
+    codes = analyse(surface, u.reshape(-1, 1), v.reshape(1, -1), key, thresholds=thresholds)[key]
+    mixed = class_colours(codes, key).reshape(n, 4, m, 4, 3).mean(axis=(1, 3))
+    mixed[bad | ~inner.inside] = class_colours(np.zeros(1, dtype=np.int8), key)[0]
     return mixed
 
 

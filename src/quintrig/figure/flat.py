@@ -27,7 +27,7 @@ def map_fields(
     surfaces: Sequence[Surface], key: str, cells: int = 240, thresholds: Thresholds | None = None
 ) -> list[Field]:
     """Return the quantity at the middle of every cell of the (u, v) square, for each surface."""
-    return facet_fields(surfaces, key, cells, thresholds)
+    return facet_fields(surfaces, key, cells, thresholds, square=True)
 
 
 def draw_map(

@@ -193,7 +193,8 @@ def _of_sample(sample: Sample, names: Sequence[str], page: _Page, axes: Any) -> 
     values = sample[q.key]
     finite = np.abs(values[np.isfinite(values)].astype(np.float64))
     scale = natural_scale(sample, q) if "curvedness" in sample.values else float(finite.max(initial=0.0))
-    field = Field(q, u[:, 0], v[0], values, scale, np.full(sample.shape, SAME_COLOUR * scale))
+    inside = np.broadcast_to(sample.surface.inside(u, v), sample.shape)
+    field = Field(q, u[:, 0], v[0], values, scale, np.full(sample.shape, SAME_COLOUR * scale), inside)
     stretch = common_limits([field], style)
     if axes is not None:
         draw_map(axes, sample.surface, field, stretch, zeros={})

@@ -7,6 +7,7 @@ import numpy as np
 
 from quintrig.figure.camera import ISO, View
 from quintrig.figure.palette import INK
+from quintrig.geometry.domain import face_grid
 from quintrig.geometry.surface import Surface
 from quintrig.support.arrays import BoolArray, FloatArray
 from quintrig.support.tolerance import NOISE
@@ -58,9 +59,16 @@ class Scene:
 
 
 def mesh_points(surface: Surface, cells: int) -> FloatArray:
-    """Return points at the corners of cells x cells facets, shape (cells + 1, cells + 1, 3), length¹."""
-    t = np.linspace(0.0, 1.0, cells + 1)
-    return surface(t[:, None], t[None, :])
+    """Return points at the corners of cells x cells facets, shape (cells + 1, cells + 1, 3), length¹.
+
+    Those of a trimmed face span its loops.
+    """
+    return surface(*face_grid(surface, cells + 1, cells + 1))
+
+
+def rims(surface: Surface) -> list[FloatArray]:
+    """Return the closed loops (n, 3) that bound a trimmed face, length¹; none of any other surface."""
+    return [surface(*np.concatenate([loop, loop[:1]]).T) for loop in surface.trim]
 
 
 def bounds(surfaces: Sequence[Surface], scene: Scene) -> Box:
@@ -68,7 +76,11 @@ def bounds(surfaces: Sequence[Surface], scene: Scene) -> Box:
 
     A surface that runs off towards infinity, as a developable can, is cut: see ``share_outside``.
     """
-    clouds = [_robust(mesh_points(surface, 60).reshape(-1, 3)) for surface in surfaces]
+    clouds = [
+        np.concatenate([*rims(surface), mesh_points(surface, 60)[surface.inside(*face_grid(surface, 61, 61))]])
+        for surface in surfaces
+    ]
+    clouds = [_robust(cloud) for cloud in clouds]
     clouds += [surface.net.reshape(-1, 3) for surface in surfaces if scene.net and surface.net is not None]
     clouds += [trace.points for trace in scene.traces]
     if not clouds:

@@ -49,12 +49,14 @@ def facets(
     inside: BoolArray,
     *,
     readable: bool = False,
+    face: BoolArray | None = None,
 ) -> Paint:
     """Return the quads of a grid of points (n + 1, m + 1, 3), lit from the upper left.
 
     ``colours`` (n, m, 3) are dimmed where the light grazes; None paints the side of the normal and the back in two
     colours. ``readable`` colours keep to those of a key: they are hardly dimmed, never brightened, and keep their hue.
-    ``sign`` is the surface's; facets with no corner ``inside`` (n + 1, m + 1) are left out.
+    ``sign`` is the surface's; facets with no corner ``inside`` (n + 1, m + 1) are left out, and those outside the
+    ``face`` (n, m).
     """
     seen = view.project(points)
     corners = np.stack([seen[:-1, :-1], seen[1:, :-1], seen[1:, 1:], seen[:-1, 1:]], axis=2)
@@ -67,6 +69,7 @@ def facets(
         colours = np.where(front, np.array(to_rgb(FRONT)), np.array(to_rgb(BACK)))
     lit = _dimmed(colours, facing * normal) if readable else _lit(colours, facing * normal)
     keep = inside[:-1, :-1] | inside[1:, :-1] | inside[1:, 1:] | inside[:-1, 1:]
+    keep = keep if face is None else keep & face
     rgba = np.concatenate([lit, np.ones((*lit.shape[:2], 1))], axis=-1)[keep]
     flat = corners[keep]
     width = np.full(len(flat), 0.4)  # thin edges in the colour of the face close the hairlines between neighbours

@@ -13,11 +13,12 @@ from quintrig.figure.field import Field, field, level_lines, zero_lines
 from quintrig.figure.frame import Stage, box_outline, draw_frame, set_stage
 from quintrig.figure.markup import STROKE, draw_dots, draw_marks, draw_net, draw_normal, draw_point
 from quintrig.figure.palette import INK, REGRESSION, Limits
-from quintrig.figure.scene import Box, Scene, bounds, inside, mesh_points, single_point
+from quintrig.figure.scene import Box, Scene, bounds, inside, mesh_points, rims, single_point
 from quintrig.figure.shade import Paint, facets, joined, strokes
 from quintrig.figure.sheet import Axes
+from quintrig.geometry.domain import face_grid
 from quintrig.geometry.surface import Surface
-from quintrig.support.arrays import FloatArray
+from quintrig.support.arrays import BoolArray, FloatArray
 
 _RIM = "#3a3a3a"
 _ZEROS = 481  # nodes a side at which zeros are traced: where two lines cross they miss each other by half a cell
@@ -57,7 +58,9 @@ def draw_space(
         mesh = mesh_points(surface, cells)
         meshes.append(scene.view.project(mesh))
         rgb = f.colours(stretch) if f else np.tile(to_rgb(colour), (cells, cells, 1)) if colour else None
-        layer = [facets(mesh, scene.view, rgb, surface.sign, inside(mesh, (low, high)), readable=f is not None)]
+        within = inside(mesh, (low, high))
+        kept = _face(surface, cells)
+        layer = [facets(mesh, scene.view, rgb, surface.sign, within, readable=f is not None, face=kept)]
         lines = _lines_on(surface, mesh, scene, stage, f, colour if opacity < 1.0 else _RIM, levels)
         if opacity < 1.0:
             _paint(stage, joined(layer), opacity)
@@ -93,15 +96,16 @@ def _lines_on(
     lift = 1.2 * _facet_size(mesh)
     step = STROKE * stage.point
     box = (stage.low, stage.high)
-    t = np.linspace(0.0, 1.0, len(mesh))
-    between = np.linspace(0.0, 1.0, scene.isolines + 2)[1:-1]
-    thin = [surface(np.full_like(t, x), t) for x in between] + [surface(t, np.full_like(t, x)) for x in between]
+    u, v = (nodes.ravel() for nodes in face_grid(surface, len(mesh), len(mesh)))
+    across, up = (nodes.ravel()[1:-1] for nodes in face_grid(surface, scene.isolines + 2, scene.isolines + 2))
+    thin = [_on_face(surface, np.full_like(v, x), v) for x in across]
+    thin += [_on_face(surface, u, np.full_like(u, x)) for x in up]
     paints = [strokes(_cut(line, box), scene.view, "#6e6e6e", 0.4, step, lift) for line in thin]
-    paints += [strokes(_cut(line, box), scene.view, rim, 0.9, step, lift) for line in _rim(mesh)]
+    paints += [strokes(_cut(line, box), scene.view, rim, 0.9, step, lift) for line in rims(surface) or _rim(mesh)]
     if scene.zeros and f is not None and f.quantity.colour == "diverging":
         dashed = f.quantity.key == "mean"
-        fine = np.linspace(0.0, 1.0, _ZEROS)
-        for line in zero_lines(field(surface, f.quantity.key, fine, fine)):
+        fine_u, fine_v = (nodes.ravel() for nodes in face_grid(surface, _ZEROS, _ZEROS))
+        for line in zero_lines(field(surface, f.quantity.key, fine_u, fine_v)):
             path = _cut(surface(line[:, 0], line[:, 1]), box)
             paints.append(strokes(path, scene.view, INK, 1.1, step, lift, dashed))
     if levels and f is not None:
@@ -113,6 +117,19 @@ def _lines_on(
         for line in regression_lines(surface):
             paints.append(strokes(_cut(line, box), scene.view, REGRESSION, 1.8, step, lift))
     return paints
+
+
+def _face(surface: Surface, cells: int) -> BoolArray | None:
+    """Return which facets (cells, cells) lie on a trimmed face; None where all do."""
+    if not surface.trim:
+        return None
+    u, v = (nodes.ravel() for nodes in face_grid(surface, cells + 1, cells + 1))
+    return surface.inside(0.5 * (u[:-1] + u[1:])[:, None], 0.5 * (v[:-1] + v[1:])[None, :])
+
+
+def _on_face(surface: Surface, u: FloatArray, v: FloatArray) -> FloatArray:
+    """Return a line (n, 3) on the surface with NaN outside a trimmed face."""
+    return np.where(surface.inside(u, v)[:, None], surface(u, v), np.nan)
 
 
 def _cut(line: FloatArray, box: Box) -> FloatArray:

@@ -1,7 +1,7 @@
 """The one surface type: rows Q_j(u), curves in u, blended by scalar functions D_j(v)."""
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any, Protocol
 
@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from quintrig.basis.functions import Functions
+from quintrig.geometry.trimmed import Inside
 from quintrig.support.arrays import BoolArray, FloatArray, locked, parameter, whole
 from quintrig.support.display import mime_bundle
 from quintrig.support.pickled import Pickled
@@ -79,7 +80,6 @@ SMALLEST_SIZE = 1.0 / LARGEST_SIZE
 
 _SIZES = f"a surface from {SMALLEST_SIZE:g} to {LARGEST_SIZE:g} across, or a single point"
 _REMEDY = "take another unit of length or other numbers"
-_ON_LOOP = 1e-9  # parameters this near to a trim loop are on it
 
 
 @dataclass(frozen=True, eq=False)
@@ -158,16 +158,11 @@ class Surface(Pickled):
         u, v = np.broadcast_arrays(parameter(u, "u"), parameter(v, "v"))
         if not self.trim:
             return np.ones(u.shape, dtype=np.bool_)
-        result: BoolArray = np.zeros(u.shape, dtype=np.bool_)
-        border: BoolArray = np.zeros(u.shape, dtype=np.bool_)
-        for loop in self.trim:
-            for (u0, v0), (u1, v1) in zip(loop, np.roll(loop, -1, axis=0), strict=True):
-                du, dv = u1 - u0, v1 - v0
-                side = du * (v - v0) - dv * (u - u0)
-                result ^= ((v0 > v) != (v1 > v)) & ((side > 0.0) == (dv > 0.0)) & (dv != 0.0)
-                along, square = du * (u - u0) + dv * (v - v0), du * du + dv * dv
-                border |= (np.abs(side) <= _ON_LOOP * math.sqrt(square)) & (along >= 0.0) & (along <= square)
-        return result | border
+        return self._loops(u.ravel(), v.ravel()).reshape(u.shape)
+
+    @cached_property
+    def _loops(self) -> Inside:
+        return Inside(self.trim)
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> Any:
         """Return the interactive view that a notebook shows; only the text where the extra ``jupyter`` is missing."""
@@ -177,6 +172,11 @@ class Surface(Pickled):
         """Return the parameters from 0 to 1 in u (``axis`` 0) or v (1) between two of which the surface is smooth."""
         functions = self.blend if axis else getattr(self.rows, "functions", None)  # only a net's rows share some
         return np.array([0.0, 1.0]) if functions is None else functions.breaks
+
+    @property
+    def carrier(self) -> "Surface":
+        """The whole surface that a trimmed face is cut from."""
+        return replace(self, trim=()) if self.trim else self
 
     @property
     def rational(self) -> bool:

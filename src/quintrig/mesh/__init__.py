@@ -1,1 +1,3 @@
 """Triangle meshes of models."""
+
+from quintrig.mesh.triangulate import mesh as mesh

@@ -55,6 +55,11 @@ class Patch:
         """Shape parameters, empty for kinds that have none."""
         return self.definition.shape_values
 
+    @property
+    def carrier(self) -> "Patch":
+        """The same patch with all of the surface that a trimmed face is cut from."""
+        return replace(self, surface=self.surface.carrier)
+
     def with_shape(self, shape: Sequence[float]) -> "Patch":
         """Return the same patch with other shape parameters; ModelError where the kind has none or they do not fit."""
         if not self.shape:

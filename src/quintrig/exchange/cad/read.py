@@ -9,9 +9,11 @@ import numpy as np
 
 from quintrig.exchange.cad.faces import Contents, Face, SpaceCurve
 from quintrig.exchange.cad.occ import array_type, down_to, explored, from_occ, module, quiet, sequence
+from quintrig.exchange.cad.parameters import Box, Places, places
 from quintrig.exchange.cad.trim import simplified, without_border
 from quintrig.exchange.units import ASSUMED, UNITS, named
 from quintrig.geometry.nurbs import nurbs
+from quintrig.geometry.polygon import polygon
 from quintrig.support.arrays import FloatArray
 from quintrig.support.errors import QuintrigError
 
@@ -218,7 +220,9 @@ def _face(number: int, name: str, face: Any) -> Face:
         }
         if (weights != weights[0, 0]).any():
             keys["weights"] = weights.tolist()
-        trim = without_border([simplified(loop) for loop in _loops(face, box)])
+        carried = nurbs(points, weights, degrees, knots)
+        loops = _loops(face, places(carrier, kind, carried, box))
+        trim = without_border([simplified(loop) for loop in loops or ()])
         nurbs(points, weights, degrees, knots, trim=trim)  # a damaged file may hold anything
     except ValueError as error:
         return Face(number, name, _EXACT_KINDS[kind], {}, _short(error))
@@ -229,10 +233,11 @@ def _face(number: int, name: str, face: Any) -> Face:
     reversed_ = face.Orientation() == module("TopAbs").TopAbs_Orientation.TopAbs_REVERSED
     if reversed_:
         keys["flip"] = True
-    return Face(number, name, _EXACT_KINDS[kind], keys)
+    note = "" if loops is not None else "its trim cannot be read: an edge has no curve in (u, v)"
+    return Face(number, name, _EXACT_KINDS[kind], keys, note=note)
 
 
-def _as_spline(face: Any, carrier: Any, kind: str) -> tuple[Any, tuple[float, float, float, float]]:
+def _as_spline(face: Any, carrier: Any, kind: str) -> tuple[Any, Box]:
     """Return the carrier as B-spline and its domain (u0, u1, v0, v1): all of a spline, else the face's own part."""
     if kind in ("BSplineSurface", "BezierSurface"):
         box = carrier.Bounds()
@@ -243,7 +248,7 @@ def _as_spline(face: Any, carrier: Any, kind: str) -> tuple[Any, tuple[float, fl
     return _converted(trimmed), box
 
 
-def _inside(carrier: Any, box: tuple[float, float, float, float]) -> tuple[float, float, float, float]:
+def _inside(carrier: Any, box: Box) -> Box:
     """Return the domain of a face without what rounding put outside its carrier's, or beyond a full turn."""
     u0, u1, v0, v1 = carrier.Bounds()
     around = (bool(carrier.IsUPeriodic()), bool(carrier.IsVPeriodic()))
@@ -272,34 +277,52 @@ def _converted(surface: Any) -> Any:
     return module("GeomConvert").GeomConvert.SurfaceToBSplineSurface_s(surface)
 
 
-def _loops(face: Any, box: tuple[float, float, float, float]) -> list[FloatArray]:
-    """Return the boundary loops in (u, v) over [0, 1]², as polygons along the face's own parameter curves."""
+def _loops(face: Any, places: Places) -> list[FloatArray] | None:
+    """Return the boundary loops in (u, v) over [0, 1]², as polygons along the face's own parameter curves.
+
+    None where an edge has no such curve.
+    """
     tool = module("BRep").BRep_Tool
     back = module("TopAbs").TopAbs_Orientation.TopAbs_REVERSED
-    low, span = np.array([box[0], box[2]]), np.array([box[1] - box[0], box[3] - box[2]])
     result: list[FloatArray] = []
     for wire in explored(face, "WIRE"):
         explorer = module("BRepTools").BRepTools_WireExplorer(down_to("Wire", wire), face)
-        loop: list[tuple[float, float]] = []
+        loop: list[FloatArray] = []
         while explorer.More():
             edge = explorer.Current()
             curve: Any = tool.CurveOnSurface_s(edge, face, 0.0, 1.0)
             if curve is None:
-                return []
-            first, last = _range(edge, face)
-            straight = curve.DynamicType().Name() == "Geom2d_Line"
-            steps = np.linspace(first, last, 2 if straight else 65)
-            at = [curve.Value(float(t)) for t in (steps[::-1] if edge.Orientation() == back else steps)]
-            loop += [(p.X(), p.Y()) for p in at[:-1]]
+                return None
+            ends = _pieces(edge, face)
+
+            def place(values: FloatArray, curve: Any = curve) -> FloatArray:
+                at = [curve.Value(t) for t in values.tolist()]
+                return places(np.array([(p.X(), p.Y()) for p in at]))
+
+            points = place(ends) if _along_axis(curve) else polygon(place, ends)
+            loop.append((points[::-1] if edge.Orientation() == back else points)[:-1])
             explorer.Next()
-        if len(loop) >= 3:
-            result.append(np.clip((np.array(loop) - low) / span, 0.0, 1.0))
+        if sum(map(len, loop)) >= 3:
+            result.append(np.concatenate(loop))
     return result
 
 
-def _range(edge: Any, face: Any) -> tuple[float, float]:
+def _along_axis(curve: Any) -> bool:
+    """Return whether a curve in (u, v) is a line along u or v."""
+    if curve.DynamicType().Name() != "Geom2d_Line":
+        return False
+    direction = curve.Direction()
+    return min(abs(direction.X()), abs(direction.Y())) <= _ROUNDING
+
+
+def _pieces(edge: Any, face: Any) -> FloatArray:
+    """Return the parameters between which the edge's curve in the face's parameters is smooth, its ends included."""
     adaptor = module("BRepAdaptor").BRepAdaptor_Curve2d(edge, face)
-    return float(adaptor.FirstParameter()), float(adaptor.LastParameter())
+    smooth = module("GeomAbs").GeomAbs_Shape.GeomAbs_C2
+    count = int(adaptor.NbIntervals(smooth))
+    values = array_type("Array1_double")(1, count + 1)
+    adaptor.Intervals(values, smooth)
+    return np.array([values.Value(k + 1) for k in range(count + 1)])
 
 
 def _free_edges(shape: Any) -> list[Any]:

@@ -16,6 +16,7 @@ from quintrig.exchange.units import named, stated
 from quintrig.geometry.closest_point import projected
 from quintrig.geometry.exact import ExactSurface
 from quintrig.geometry.nurbs import nurbs
+from quintrig.geometry.polygon import polygon
 from quintrig.geometry.surface import Surface
 from quintrig.support.arrays import FloatArray
 from quintrig.support.errors import QuintrigError
@@ -184,10 +185,13 @@ def _loop(surface: Surface, edges: Sequence[tuple[Any, bool]]) -> FloatArray:
     """Return one loop in (u, v): rhino3dm gives no curves in parameters, so points of the edges are projected."""
     loop: list[FloatArray] = []
     for edge, back in edges:
-        domain = edge.Domain
-        steps: list[float] = np.linspace(float(domain.T0), float(domain.T1), 65).tolist()
-        at = [edge.PointAt(t) for t in (steps[::-1] if back else steps)]
-        loop.append(projected(surface, np.array([(p.X, p.Y, p.Z) for p in at]))[:-1])
+
+        def place(values: FloatArray, edge: Any = edge) -> FloatArray:
+            at = [edge.PointAt(t) for t in values.tolist()]
+            return projected(surface, np.array([(p.X, p.Y, p.Z) for p in at]))
+
+        points = polygon(place, np.array([edge.Domain.T0, edge.Domain.T1]))
+        loop.append((points[::-1] if back else points)[:-1])
     return np.concatenate(loop) if loop else np.empty((0, 2))
 
 

@@ -71,7 +71,7 @@ def export_pattern(patch: Patch, unit: str, path: Path, options: FlattenOptions 
         from quintrig.exchange.pattern.pdf import pdf
 
         write_whole(path, pdf(page))
-    drawn = [remark for remark in page.remarks if not remark.startswith("boundaries ")]
+    drawn = [remark for remark in page.remarks if not remark.startswith(("boundaries ", "outline "))]
     away = (f"{far(patch.surface)}; move the model nearer for more digits",) if is_far(patch.surface) else ()
     return (*drawn, *_checks(pattern, unit), *away, *_cautions(page))
 
@@ -79,6 +79,14 @@ def export_pattern(patch: Patch, unit: str, path: Path, options: FlattenOptions 
 def _checks(pattern: Pattern, unit: str) -> tuple[str, ...]:
     check = pattern.isometry
     length = f" {unit}" if unit else ""
+    loops = [f"{float(_norm(loop - np.roll(loop, 1, axis=0)).sum()):.6g}{length}" for loop in pattern.loops]
+    if loops:
+        return (
+            f"trimmed face, outline and holes: {', '.join(loops)}",
+            f"boundaries of its surface: changed by {max(check.first_change, check.second_change):.1e}",
+            f"rulings: changed by at most {check.ruling_change:.1e}",
+            f"area: {check.area:.12g}{length + '²' if unit else ''}, as polygons changed by {check.area_change:.1e}",
+        )
     return (
         f"boundary 1: {check.first:.12g}{length}, changed by {check.first_change:.1e}",
         f"boundary 2: {check.second:.12g}{length}, changed by {check.second_change:.1e}",

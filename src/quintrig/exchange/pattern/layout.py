@@ -45,30 +45,55 @@ class Bend:
 
 @dataclass(frozen=True, eq=False)
 class Part:
-    """One part cut from a sheet: its boundaries (n, 2) turned and moved into place, its bends, and where it was cut."""
+    """One part cut from a sheet: its boundaries (n, 2) turned and moved into place, its bends, and where it was cut.
+
+    A trimmed face has ``loops``, its outline and holes.
+    """
 
     first: FloatArray
     second: FloatArray
     bends: tuple[Bend, ...]
     start: float
     end: float
+    loops: tuple[FloatArray, ...] = ()
+
+    @property
+    def cuts(self) -> tuple[FloatArray, ...]:
+        """The closed lines (n, 2) to cut along."""
+        return self.loops or (np.concatenate([self.first, self.second[::-1]]),)
 
 
 def bends(pattern: Pattern, step: float) -> tuple[Bend, ...]:
     """Return bend lines, each amid an equal share, at most ``step`` degrees, of a stretch that bends one way."""
     result: list[Bend] = []
     bend = np.degrees(pattern.bend)
+    start, stop = (float(np.interp(t, pattern.t, bend)) for t in pattern.span)
     turns = np.flatnonzero(np.diff(pattern.upward.astype(np.int8))) + 1
     for stretch in np.split(np.arange(len(bend)), turns):
-        low, high = float(bend[stretch[0]]), float(bend[min(stretch[-1] + 1, len(bend) - 1)])
+        low, high = max(float(bend[stretch[0]]), start), min(float(bend[min(stretch[-1] + 1, len(bend) - 1)]), stop)
         if high - low < 1e-6:
             continue
         count = int(np.ceil((high - low) / step - 1e-9))
         for k in range(count):
             at = low + (k + 0.5) * (high - low) / count
             t = float(np.interp(at, bend, pattern.t))
-            result.append(Bend(_ruling(pattern, t), (high - low) / count, bool(pattern.upward[stretch[0]]), t))
+            for ends in _held(_ruling(pattern, t), pattern.loops):
+                result.append(Bend(ends, (high - low) / count, bool(pattern.upward[stretch[0]]), t))
     return tuple(result)
+
+
+def _held(ends: FloatArray, loops: Sequence[FloatArray]) -> list[FloatArray]:
+    """Return the pieces (2, 2) of a line that lie inside the loops, all of it where there are none."""
+    if not loops:
+        return [ends]
+    start = np.concatenate(loops)
+    along, sides = ends[1] - ends[0], np.concatenate([np.roll(loop, -1, axis=0) for loop in loops]) - start
+    off = along[0] * (start - ends[0])[:, 1] - along[1] * (start - ends[0])[:, 0]
+    rise = along[0] * sides[:, 1] - along[1] * sides[:, 0]
+    met = (off > 0.0) != (off + rise > 0.0)
+    points = start[met] - (off[met] / rise[met])[:, None] * sides[met]
+    order = np.argsort((points - ends[0]) @ along)
+    return [points[order[k : k + 2]] for k in range(0, len(order) - 1, 2)]
 
 
 def parts(pattern: Pattern, lines: Sequence[Bend], options: PatternOptions) -> tuple[Part, ...]:
@@ -79,6 +104,15 @@ def parts(pattern: Pattern, lines: Sequence[Bend], options: PatternOptions) -> t
     if options.stock is None:
         return (_part(pattern, lines, 0.0, 1.0),)
     room = tuple(sorted(side - 2.0 * options.margin for side in options.stock))
+    if pattern.loops:
+        if not _fits(pattern.loops, room):
+            box = " x ".join(number(float(side)) for side in np.ptp(_part(pattern, lines, 0.0, 1.0).cuts[0], axis=0))
+            raise ValueError(
+                f"sheet: expected one that holds all of a trimmed face, {box}, found {options.stock[0]:g} x "
+                f"{options.stock[1]:g} with a margin of {options.margin:g}; choose a larger sheet, or split the face "
+                "in the CAD system"
+            )
+        return (_part(pattern, lines, 0.0, 1.0),)
     result: list[Part] = []
     start = 0.0
     while start < 1.0 - 1e-12:
@@ -112,14 +146,14 @@ def drawing(pattern: Pattern, title: str, unit: str, options: PatternOptions) ->
     top = 0.0
     for k, piece in enumerate(pieces):
         name = chr(ord("A") + k) if k < 26 else f"P{k + 1}"
-        loop = np.concatenate([piece.first, piece.second[::-1]])
+        loop = np.concatenate(piece.cuts)
         box = np.ptp(loop, axis=0)
         room = np.array(options.stock if options.stock else box + 0.0)
         if options.stock and (box > room - 2 * options.margin + 1e-9).any():
             room = room[::-1]
         shift = np.array([x, 0.0]) + 0.5 * (room - box) - loop.min(axis=0)
         moved = _moved(piece, shift)
-        lines.append(Line("OUTLINE", np.concatenate([moved.first, moved.second[::-1]]), True))
+        lines += [Line("OUTLINE", cut, True) for cut in moved.cuts]
         if options.stock:
             corner = np.array([x, 0.0])
             lines.append(Line("SHEET", corner + room * np.array([[0, 0], [1, 0], [1, 1], [0, 1]]), True))
@@ -154,15 +188,25 @@ def _notes(pattern: Pattern, title: str, unit: str, options: PatternOptions, cou
         if sheet.thickness
         else "no sheet thickness: the pattern is that of the surface itself"
     )
-    total = float(np.degrees(pattern.bend[-1]))
+    total = float(np.degrees(np.ptp(np.interp(pattern.span, pattern.t, pattern.bend))))
+    around = ", ".join(number(_length(loop)) for loop in pattern.loops)
+    boundaries = (
+        f"outline and holes {around}{length}"
+        if pattern.loops
+        else f"boundaries {number(check.first)} and {number(check.second)}{length}"
+    )
     return (
         f"{title}: flat pattern, scale 1:1{', unit ' + unit if unit else ''}, seen from the side the normal points to",
         fibre,
         f"{lines} bend lines, {total:.2f}° in all; blue: towards you, orange: away from you",
-        f"boundaries {number(check.first)} and {number(check.second)}{length}, area {number(check.area)}"
+        f"{boundaries}, area {number(check.area)}"
         f"{length + '²' if unit else ''}; lengths and area agree with the surface to {check.worst:.1e}",
         *([f"{count} parts, cut along rulings; equal marks go together"] if count > 1 else []),
     )
+
+
+def _length(loop: FloatArray) -> float:
+    return float(np.linalg.norm(loop - np.roll(loop, 1, axis=0), axis=1).sum())
 
 
 def _ruling(pattern: Pattern, t: float) -> FloatArray:
@@ -184,19 +228,20 @@ def _cut(pattern: Pattern, start: float, end: float) -> tuple[FloatArray, FloatA
 
 def _part(pattern: Pattern, lines: Sequence[Bend], start: float, end: float) -> Part:
     first, second = _cut(pattern, start, end)
-    angle = _best_angle(np.concatenate([first, second]))
+    angle = _best_angle(np.concatenate(pattern.loops or (first, second)))
     onward = 0.5 * (first[-1] + second[-1] - first[0] - second[0])
     if onward[0] * np.cos(angle) - onward[1] * np.sin(angle) < 0.0:
         angle += np.pi  # parts run from left to right, in their order
     turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
     own = [bend for bend in lines if start < bend.t < end]
     turned = tuple(Bend(bend.ends @ turn.T, bend.angle, bend.upward, bend.t) for bend in own)
-    return Part(first @ turn.T, second @ turn.T, turned, start, end)
+    return Part(first @ turn.T, second @ turn.T, turned, start, end, tuple(loop @ turn.T for loop in pattern.loops))
 
 
 def _moved(part: Part, shift: FloatArray) -> Part:
     moved = tuple(Bend(bend.ends + shift, bend.angle, bend.upward, bend.t) for bend in part.bends)
-    return Part(part.first + shift, part.second + shift, moved, part.start, part.end)
+    loops = tuple(loop + shift for loop in part.loops)
+    return Part(part.first + shift, part.second + shift, moved, part.start, part.end, loops)
 
 
 def _best_angle(points: FloatArray) -> float:
@@ -214,7 +259,7 @@ def _best_angle(points: FloatArray) -> float:
     return best
 
 
-def _fits(sides: tuple[FloatArray, FloatArray], room: Sequence[float]) -> bool:
+def _fits(sides: Sequence[FloatArray], room: Sequence[float]) -> bool:
     points = np.concatenate(sides)
     angle = _best_angle(points)
     c, s = np.cos(angle), np.sin(angle)
@@ -287,7 +332,7 @@ def _marks(part: Part, k: int, count: int, height: float) -> tuple[list[Line], l
 
 def _dimensions(part: Part, height: float) -> list[Dimension]:
     """Return the overall width and height of a part."""
-    loop = np.concatenate([part.first, part.second])
+    loop = np.concatenate(part.cuts)
     low, high = loop.min(axis=0), loop.max(axis=0)
     left, right = loop[loop[:, 0].argmin()], loop[loop[:, 0].argmax()]
     bottom, top = loop[loop[:, 1].argmin()], loop[loop[:, 1].argmax()]
