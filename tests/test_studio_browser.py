@@ -410,7 +410,8 @@ def become(page, kind):
     until(
         page,
         f"""(() => {{ const {{ studio }} = document.querySelector('[data-quintrig]');
-        return studio.root.querySelector('dialog[open]') || studio.store.state.model.patches[0].kind === '{kind}'; }})()""",
+        return studio.root.querySelector('dialog[open]')
+            || studio.store.state.model.patches[0].kind === '{kind}'; }})()""",
     )
     if again.count():
         again.click()

@@ -1,4 +1,8 @@
-"""The page reads TOML as Python does: the same texts, with the same values, and refuses the same."""
+"""
+The page reads TOML as Python does: the same texts, with the same values, and refuses the same.
+
+What only TOML 1.1 allows (such as line breaks in inline tables) is not tried: the page reads it, Python from 3.15 on.
+"""
 
 import json
 import math
@@ -65,7 +69,6 @@ BAD = [
     "a = Infinity",
     "a = 'open",
     'a = "one\ntwo"',
-    'a = "\\x41"',
     'a = "\\ud800"',
     'a = "\x01"',
     "# \x00",
@@ -94,7 +97,7 @@ const shown = (x) => typeof x === "number" ? (Number.isFinite(x) ? { number: x }
   : x instanceof Date ? { date: String(x.toISOString()) } : Array.isArray(x) ? x.map(shown)
   : typeof x === "object" ? Object.fromEntries(Object.entries(x).map(([k, v]) => [k, shown(v)])) : x;
 const out = JSON.parse(readFileSync(0, "utf8")).map((text) => {
-  try { return { value: shown(fromToml(text)) }; } catch (error) { return { error: error.message, kind: error.constructor.name }; }
+  try { return { value: shown(fromToml(text)) }; } catch (error) { return { error: error.message }; }
 });
 console.log(JSON.stringify(out));
 """
@@ -116,7 +119,7 @@ def in_page(tmp_path_factory):
     script = folder / "read.mjs"
     script.write_text(READ, encoding="utf-8")
     bundle = folder / "studio.mjs"
-    bundle.write_bytes((BUNDLE / "studio.js").read_bytes())
+    bundle.write_bytes(BUNDLE.read_bytes())
     answer = subprocess.run(
         [node, script, bundle.as_uri()],
         input=json.dumps(GOOD + BAD),
