@@ -165,8 +165,8 @@ export class ModelPanel {
     const { store } = this, patch = activePatch(store.state), { patch: at, opened } = store.state;
     let next = converted(patch, kind);
     if (!next) {
-      const root = this.element.closest<HTMLElement>(".studio")!, [from, to] = [patch.kind, kind].map(spoken);
-      const answer = await ask(root, "Another surface?", [h("p", {}, `This ${from} surface is not exactly a ${to} one: a new ${to} surface to start from would take the place of “${patch.name}”.`)], [["stay", "Keep it"], ["replace", "Start anew"]]);
+      const root = this.element.closest<HTMLElement>(".studio")!;
+      const answer = await ask(root, "Another surface?", [h("p", {}, `“${patch.name}” cannot be kept exactly as “${spoken(kind)}”: a new surface to start from would take its place.`)], [["stay", "Keep it"], ["replace", "Start anew"]]);
       if (answer === "replace") next = { ...starterOf(kind).patches[0]!, name: patch.name };
     }
     const same = store.state.patch === at && store.state.opened === opened && activePatch(store.state) === patch;
