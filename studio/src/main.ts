@@ -9,6 +9,8 @@ import { reachable, shelter } from "./app/shelter";
 import { fromDict } from "./numerics/model";
 
 export * from "./numerics/index";
+export { fromToml } from "./toml";
+export { converted } from "./edit/convert";
 
 /** The viewer of a page from disk. */
 export function embed(element: HTMLElement, data: { model: unknown; quantity?: string; place?: string }): Studio {
