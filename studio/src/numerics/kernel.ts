@@ -13,7 +13,8 @@ import { extent, type Surface } from "./surface";
 /** A point is singular where |S_u × S_v| <= SINGULAR size². */
 export const SINGULAR = data.limits.singular;
 
-const NOISE = 1e-12; // curvedness times size at or below this is rounding of a plane
+/** Curvedness times size at or below this is rounding of a plane. */
+const NOISE = data.limits.noise;
 
 /** Scratch planes, each of one number a point. */
 export const PLANE = {
