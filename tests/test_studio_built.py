@@ -24,11 +24,13 @@ SCRIPT = """
 import { readFileSync } from "node:fs";
 const studio = await import(process.argv[1]);
 const jobs = JSON.parse(readFileSync(0, "utf8"));
-studio.install({ kinds: { toy: { title: "Toy", construction: false, shapeNames: [], fields: { n: { type: "raw" } } } } });
+const toy = { title: "Toy", construction: false, shapeNames: [], fields: { n: { type: "raw" } } };
+studio.install({ kinds: { toy } });
 const answers = jobs.map(({ built, u, v }, n) => {
   const model = studio.fromDict({ kind: "toy", n, built: [{ keys: { kind: "toy", n }, surface: built }] });
   const sample = studio.analyse(studio.build(model.patches[0]), u, v);
-  return Object.fromEntries(Object.entries(sample).map(([k, a]) => [k, Array.from(a, (x) => (Number.isFinite(x) ? x : null))]));
+  const numbers = (a) => Array.from(a, (x) => (Number.isFinite(x) ? x : null));
+  return Object.fromEntries(Object.entries(sample).map(([k, a]) => [k, numbers(a)]));
 });
 const names = [studio.FAMILIES, studio.BASES, studio.BUILDERS].map((table) => Object.keys(table));
 process.stdout.write(JSON.stringify({ answers, names }));

@@ -14,6 +14,7 @@ SCRIPT = """async (model) => {
     get: (key) => values[key], set: (key, value) => { values[key] = changed[key] = value; },
     save_changes: () => { window.saved.push(Object.keys(changed).sort().join()); changed = {}; },
     on: (event, act) => { heard[event] = act; }, off: (event) => { delete heard[event]; },
+    said: (content) => heard['msg:custom']?.(content),
     push: (key, value) => { values[key] = value; heard['change:' + key]?.(); },
     heard: () => Object.keys(heard).sort(),
   };
