@@ -2,7 +2,7 @@
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: report test test-processors check bench bench-studio studio bundle extras clean
+.PHONY: report test test-processors check check-studio bench bench-studio studio bundle extras clean
 
 report: .venv/installed
 	$(BIN)/quintrig report examples/car_boot.toml out/car_boot
@@ -23,6 +23,11 @@ check: .venv/installed-dev
 	$(BIN)/ruff format --check .
 	$(BIN)/pyright --project pyproject.toml
 
+# The browser's half: types, lint, unit tests, and the bundle that its sources make is the one that ships.
+check-studio: studio/node_modules
+	cd studio && npm run --silent check && npm run --silent lint && npm test --silent
+	mkdir -p out && node studio/build.mjs out/studio.js && cmp out/studio.js src/quintrig/studio/bundle/studio.js
+
 bench: .venv/installed-dev
 	$(BIN)/python -m bench
 
@@ -39,8 +44,8 @@ bundle: .venv/installed-dev studio/node_modules
 	$(BIN)/python -m quintrig.studio.data studio/src/data.json
 	cd studio && npx tsc --noEmit && node build.mjs
 
-studio/node_modules: studio/package.json
-	cd studio && npm install --no-package-lock --no-audit --no-fund
+studio/node_modules: studio/package-lock.json
+	cd studio && npm ci --no-audit --no-fund
 	touch $@
 
 # Everything optional: CAD, meshes, studio, clusters. The tests that need one of them skip without it.

@@ -16,6 +16,8 @@ from matplotlib.colors import Colormap, to_hex
 from quintrig import __version__
 from quintrig.basis.trigonometric import SHAPE_RANGE
 from quintrig.figure import palette
+from quintrig.geometry.envelope import ROUNDING
+from quintrig.geometry.surface import FAR_OFF, SAME_POINT, STEPS_FOR_SIZE
 from quintrig.model.kinds.definition import LARGEST_POLYGON
 from quintrig.model.kinds.registry import OWN
 from quintrig.model.model import SCHEMA_VERSION, UNITS, load
@@ -23,18 +25,13 @@ from quintrig.model.starter import starter
 from quintrig.quantities.classify import SHAPE_BREAKS, Thresholds
 from quintrig.quantities.signs import CLASSES, POINTS, TYPES, SignTable
 from quintrig.quantities.table import BY_KEY, QUANTITIES, Quantity
+from quintrig.shaping.shape_effect import FOUR_SETS, TWO_SETS
 from quintrig.studio import built
 from quintrig.studio.kinds import kind
 from quintrig.studio.page import as_json
 from quintrig.support.arrays import LARGEST
 from quintrig.support.files import write_whole
 from quintrig.support.tolerance import NOISE, SAME_COLOUR, SINGULAR, VERTICAL
-
-SHAPE_SETS: dict[int, tuple[tuple[float, ...], ...]] = {
-    4: ((1.0, 1.0, 1.0, 1.0), (1.0, 1.0, -3.0, -3.0), (1.0, -3.0, 1.0, -3.0), (1.0, 0.0, -2.0, -3.0)),
-    2: ((1.0, 1.0), (0.0, -4.0), (-2.0, 0.0), (-2.0, -4.0)),
-}
-"""The four sets of shape parameters that the thesis compares (figures 4.3-4.6 and 4.29-4.32), by their number."""
 
 WORDS: dict[str, SignTable] = {"point_type": POINTS, "hk_type": TYPES, "shape_class": CLASSES}
 """The tables of signs that say in words what the types of a classification look like."""
@@ -50,13 +47,17 @@ def table() -> dict[str, Any]:
         "schema": SCHEMA_VERSION,
         "units": list(UNITS),
         "shapeRange": list(SHAPE_RANGE),
-        "shapeSets": {str(count): [list(one) for one in sets] for count, sets in SHAPE_SETS.items()},
+        "shapeSets": {len(sets[0]): [list(one) for one in sets] for sets in (FOUR_SETS, TWO_SETS)},
         "quantities": [_quantity(q) for q in QUANTITIES],
         "limits": {
             **asdict(Thresholds()),
             "noise": NOISE,
             "sameColour": SAME_COLOUR,
+            "rounding": ROUNDING,
             "singular": SINGULAR,
+            "stepsForSize": STEPS_FOR_SIZE,
+            "farOff": FAR_OFF,
+            "samePoint": SAME_POINT,
             "vertical": VERTICAL,
             "largest": LARGEST,
             "largestPolygon": LARGEST_POLYGON,

@@ -1,13 +1,13 @@
 /** The enveloping developable: the strip that a one-parameter family of planes touches (thesis §3.3). */
 
+import data from "../data.json";
 import { Bernstein, Trigonometric } from "./basis";
 import type { Vector } from "./construct";
 import { localOrigin, movedPlane } from "./origin";
 import type { Rows, Surface } from "./surface";
-import data from "../data.json";
 import { jets } from "./taylor";
 
-const NOISE = data.limits.noise;
+const { noise: NOISE, rounding: ROUNDING } = data.limits;
 
 /** The strip enveloped by Π(t) = Σ f_i(t; α, ζ) L_i between two bounding planes; Error where there is none. */
 export function developable(planes: readonly Vector[], bounds: readonly Vector[], shape: readonly number[], flip: boolean): Surface {
@@ -97,7 +97,7 @@ export class Envelope implements Rows {
     const slope = orders.map((k) => parts.map((x) => this.hodograph.reduce((sum, g, i) => sum + g[k]! * this.edges[i]![x]!, 0)));
     // Where the terms cancel to nothing the planes turn back, and rounding must not choose the ruling.
     const terms = parts.map((x) => this.hodograph.reduce((sum, g, i) => sum + Math.abs(g[0]! * this.edges[i]![x]!), 0));
-    if (parts.every((x) => Math.abs(slope[0]![x]!) <= 64 * Number.EPSILON * terms[x]!)) slope[0]!.fill(NaN);
+    if (parts.every((x) => Math.abs(slope[0]![x]!) <= ROUNDING * terms[x]!)) slope[0]!.fill(NaN);
     return { plane, slope };
   }
 }
