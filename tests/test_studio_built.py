@@ -88,7 +88,10 @@ WAVES = np.array(
     [[[0, 0, 0], [3, 0, 1], [0, 1, 1]], [[0, 2, 0], [1, 3, 1], [2, 2, 2]], [[0, 0, 1], [1, 1, 0], [0, 3, 0]]]
 )
 NET = np.random.default_rng(3).uniform(-5, 5, (6, 6, 3))
+
+
 SURFACES = {
+    "numbers of NumPy's types": Surface(Net(WAVES.astype(float), Powers(np.float32(0), np.int64(2), 2)), Bernstein(2)),
     "unknown family both ways": Surface(Net(WAVES.astype(float), Waves()), Waves()),
     "unknown family, flipped, far out": Surface(
         Net(WAVES.astype(float), Waves()), Powers(0.0, 2.0, 2), flip=True, origin=np.array([1e6, 0, -1e6])

@@ -72,6 +72,6 @@ def test_a_height_dragged_to_in_the_page_is_the_kernels(page, by, height):
 
 
 def test_after_the_view_is_gone_nothing_is_heard(page):
-    assert page.evaluate("window.kernel.heard()") == ["change:height", "change:model", "change:quantity"]
+    assert page.evaluate("window.kernel.heard()") == ["change:height", "change:model", "change:quantity", "msg:custom"]
     page.evaluate("window.cleanup()")
     assert page.evaluate("window.kernel.heard()") == []

@@ -26,6 +26,8 @@ test("a sphere has K = 1 / r²", () => {
 
 for (const [keys, said] of [
   [{ kind: "spere" }, /^patch "spere": kind: expected one of tensor,/],
+  [{ kind: "constructor" }, /^patch "constructor": kind: expected one of tensor,/],
+  [{ kind: "sphere", constructor: 1 }, /^patch "sphere": unknown key 'constructor'$/],
   [{ kind: "sphere", radius: -1 }, /^patch "sphere": radius: expected a number greater than 0, got -1$/],
   [{ kind: "sphere", radius: 1e51 }, /^patch "sphere": radius: expected a number of size at most 1e50, got 1e\+51$/],
   [{ kind: "sphere", size: 1 }, /^patch "sphere": unknown key 'size'$/],

@@ -7,7 +7,7 @@ Chebyshev series of its values and of its first two derivatives, each to roundin
 import dataclasses
 import itertools
 from collections.abc import Callable, Iterable, Mapping
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 from numpy.polynomial.chebyshev import chebvander
@@ -74,7 +74,7 @@ def rebuilt(patches: Iterable[Mapping[str, Any]]) -> list[dict[str, Any]]:
 def surface(built: Surface) -> dict[str, Any]:
     """Return rows, blend and what else a surface holds, as JSON takes it; ValueError where it is not smooth."""
     rows, blend = built.rows, built.blend
-    result: dict[str, Any] = {"flip": built.flip, "origin": built.origin.tolist(), "dimension": rows.dimension}
+    result: dict[str, Any] = {"flip": bool(built.flip), "origin": built.origin.tolist(), "dimension": rows.dimension}
     result["net"] = None if built.net is None else built.net.tolist()
     if isinstance(rows, Net):
         steps = rows.increments(blend)
@@ -99,7 +99,10 @@ def functions(family: Functions, still: Still = MOVING) -> dict[str, Any]:
         return _series(family.derivatives, family.breaks)
     if isinstance(family, Joined):
         return {"family": name, "parts": [functions(part, still) for part in family.parts]}
-    keys = {field.name: getattr(family, field.name) for field in dataclasses.fields(family)}  # pyright: ignore
+    keys = {
+        field.name: np.asarray(getattr(family, field.name)).tolist()  # numbers of NumPy's types are JSON's then
+        for field in dataclasses.fields(cast(Any, family))
+    }
     return {"family": name, **keys, "still": list(still)}
 
 

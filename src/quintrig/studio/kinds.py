@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from typing import Any, cast
 
 import annotated_types
-from pydantic_core import to_jsonable_python
+from pydantic import TypeAdapter
 
 from quintrig.model.kinds.definition import Definition
 from quintrig.model.kinds.registry import OWN, kinds
@@ -13,6 +13,8 @@ from quintrig.model.model import Model
 from quintrig.model.starter import starter
 from quintrig.studio.built import for_page
 from quintrig.support.errors import QuintrigError
+
+_ANY = TypeAdapter[Any](Any)
 
 
 def kind(form: type[Definition]) -> dict[str, Any]:
@@ -51,7 +53,7 @@ def _field(form: type[Definition], key: str, schema: dict[str, Any]) -> dict[str
     field = form.model_fields[key]
     result: dict[str, Any] = {"description": field.description or "", "required": field.is_required()}
     if not field.is_required():
-        result["default"] = to_jsonable_python(field.get_default(call_default_factory=True))
+        result["default"] = _ANY.dump_python(field.get_default(call_default_factory=True), mode="json")
     if key in form.nets and key in form.counts:
         return result | {"type": "points", "counts": list(form.counts[key]), "dimension": _dimension(schema)}
     if schema.get("type") == "boolean":

@@ -59,7 +59,7 @@ export const BUILDERS: Readonly<Record<string, (its: Values) => Surface>> = {
 /** Whether the page builds a patch by itself: its kind, and its basis where it has one. */
 export function drawnHere(patch: Patch): boolean {
   const basis = valueOf(patch, "basis");
-  return patch.kind in BUILDERS && (typeof basis !== "string" || basis in BASES);
+  return Object.hasOwn(BUILDERS, patch.kind) && (typeof basis !== "string" || Object.hasOwn(BASES, basis));
 }
 
 /** Build the surface of a patch that is drawn here. */

@@ -66,12 +66,12 @@ export function build(patch: Patch): Surface {
 
 function checked(keys: Record<string, unknown>): Patch {
   const place = `patch "${String(keys["name"])}"`;
-  const kind = KINDS[String(keys["kind"])];
-  if (!kind) throw new ModelError(`${place}: kind: expected one of ${Object.keys(KINDS).join(", ")}, got ${spell(keys["kind"])}`);
+  const known = Object.hasOwn(KINDS, String(keys["kind"])), kind = KINDS[String(keys["kind"])];
+  if (!known || !kind) throw new ModelError(`${place}: kind: expected one of ${Object.keys(KINDS).join(", ")}, got ${spell(keys["kind"])}`);
   const fail = (message: string): never => {
     throw new ModelError(`${place}: ${message}`);
   };
-  for (const key of Object.keys(keys)) if (key !== "kind" && key !== "name" && !kind.fields[key]) fail(`unknown key '${key}'`);
+  for (const key of Object.keys(keys)) if (key !== "kind" && key !== "name" && !Object.hasOwn(kind.fields, key)) fail(`unknown key '${key}'`);
   const bernstein = keys["basis"] === "bernstein";
   for (const [key, field] of Object.entries(kind.fields)) {
     const value = keys[key];
