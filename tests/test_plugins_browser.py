@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import quintrig
+from quintrig.shaping.shape_effect import FOUR_SETS
 from test_plugins import PLUGIN, done, environment, toy  # noqa: F401
 from test_studio_browser import browser, context, kept, opened, pytestmark, served, state, until  # noqa: F401
 from test_studio_notebook_page import SCRIPT as NOTEBOOK
@@ -22,6 +23,14 @@ DRAWN = """(studio) => {
     found[key] = Array.from(out);
   }
   return found;
+}"""
+NEAR = """(studio, point, cell = 0) => {
+  const { surface } = studio.stage.cells[cell].pieces[0], at = Float64Array.of(0.5), { rows, blend, origin } = surface;
+  const q = new Float64Array(3 * rows.size * 3), f = new Float64Array(3 * rows.size);
+  rows.derivatives(at, 1, q);
+  blend.derivatives(at, 1, f);
+  const found = [0, 1, 2].map((x) => f.slice(0, rows.size).reduce((sum, d, j) => sum + d * q[3 * j + x], origin[x]));
+  return found.every((value, x) => Math.abs(value - point[x]) < 1e-9);
 }"""
 CHANGES = {"scroll": ("height", 45.0), "bowl": ("radius", 3.5)}
 
@@ -139,6 +148,38 @@ def test_the_live_studio_shows_it_and_changes_it(context, live, toys):  # noqa: 
     )
     until(page, f"({STUDIO}.store.state.message?.text ?? '').includes('{key}')")
     assert page.evaluate(f"{STUDIO}.stage.cells[0].pieces[0].mesh.grid.size") == size
+
+
+def test_control_points_are_dragged_and_sets_compared(context, live, toys):  # noqa: F811
+    kind, folder, address = live
+    if kind == "bowl":
+        pytest.skip("a bowl has neither")
+    problems = []
+    page = opened(context, address, problems)
+    at = page.evaluate(f"{STUDIO}.locate('section[2]')")
+    page.mouse.move(at["x"], at["y"])
+    page.mouse.down()
+    page.mouse.move(at["x"] + 40, at["y"] - 25, steps=6)
+    page.mouse.up()
+    section = state(page, "model.patches[0].section")
+    definition = read(toys[kind], folder)
+    assert section[2] != definition.section[2]
+    assert [*section[:2], *section[3:]] == [*definition.section[:2], *definition.section[3:]]
+    moved = definition.model_copy(update={"section": section})
+    point = moved.surface()(0.5, 0.5)
+    until(page, f"({NEAR})({STUDIO}, {point.tolist()})")
+    page.wait_for_timeout(300)
+    agrees(page, moved)
+    page.evaluate(f"{STUDIO}.store.set({{ compare: 'sets' }})")
+    until(page, f"{STUDIO}.stage.cells.length === 4")
+    page.wait_for_timeout(1000)
+    for i, shape in enumerate(FOUR_SETS):
+        varied = moved.model_copy(update={"shape": [float(x) for x in shape]})
+        middle = varied.surface()(0.5, 0.5).tolist()
+        until(page, f"({NEAR})({STUDIO}, {middle}, {i})")
+    kept(page, "plugin-live-sets")
+    assert state(page, "message") is None
+    assert problems == []
 
 
 def test_the_live_studio_starts_one(context, live):  # noqa: F811
