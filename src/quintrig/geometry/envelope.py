@@ -16,6 +16,10 @@ from quintrig.geometry.surface import Net, Surface
 from quintrig.support import taylor
 from quintrig.support.arrays import BoolArray, FloatArray, frozen, parameter
 from quintrig.support.pickled import Pickled
+from quintrig.support.tolerance import NOISE
+
+ROUNDING = 64.0 * np.finfo(np.float64).eps
+"""Share of its terms at or below which the derivative of the plane is only their rounding."""
 
 _FINE = 1e-10  # to which ends of intervals are bisected
 _APART = 1e-9  # by which the zeros of S_u x S_v at both boundaries differ where the edge crosses between two samples
@@ -123,7 +127,7 @@ class Envelope(Pickled):
         plane, slope = (np.nan_to_num(series[0, :, :3]) for series in self._dual(np.linspace(0.0, 1.0, 33), 0))
         volumes = np.abs(np.cross(plane, slope) @ self.bounds[:, :3].T)
         lengths = [np.linalg.norm(vectors, axis=-1) for vectors in (plane, slope, self.bounds[:, :3])]
-        return bool((volumes > 1e-12 * lengths[0].max() * lengths[1].max() * lengths[2]).any(axis=0).all())
+        return bool((volumes > NOISE * lengths[0].max() * lengths[1].max() * lengths[2]).any(axis=0).all())
 
     def _dual(self, u: FloatArray, order: int) -> tuple[FloatArray, FloatArray]:
         """Return the series of Π and of Π', the latter without the factors that vanish where Π stands still."""
@@ -136,7 +140,7 @@ class Envelope(Pickled):
         slope = functions @ edges
         # Where the terms cancel to nothing the planes turn back, and rounding must not choose the ruling.
         terms = np.abs(functions[0]) @ np.abs(edges)
-        slope[0, (np.abs(slope[0]) <= 64.0 * np.finfo(np.float64).eps * terms).all(axis=-1)] = np.nan
+        slope[0, (np.abs(slope[0]) <= ROUNDING * terms).all(axis=-1)] = np.nan
         return taylor.coefficients(plane), taylor.coefficients(slope)
 
 

@@ -40,6 +40,9 @@ SHAPE_CLASSES = (
 )
 """Index is the code: Koenderink's nine from S = -1 to S = +1, breaks at ±7/8, ±5/8, ±3/8, ±1/8; 10 where flat."""
 
+SHAPE_BREAKS = (0.125, 0.375, 0.625, 0.875)
+"""Where |S| passes from one of Koenderink's classes to the next; a break belongs to the class nearer to S = 0."""
+
 INVARIANT_TYPES = (
     "undefined",
     "dome",
@@ -116,7 +119,8 @@ def point_type(code: int, gaussian: float, radius: float, curvedness: float, rel
 @scalar
 def shape_class(index: float, code: int) -> int:
     """Return Koenderink's class of a shape index; 10 where Besl's number says flat, 0 where undefined."""
-    result = 1 + (index >= -0.875) + (index >= -0.625) + (index >= -0.375) + (index >= -0.125)
-    result = result + (index > 0.125) + (index > 0.375) + (index > 0.625) + (index > 0.875)
+    first, second, third, fourth = SHAPE_BREAKS
+    result = 1 + (index >= -fourth) + (index >= -third) + (index >= -second) + (index >= -first)
+    result = result + (index > first) + (index > second) + (index > third) + (index > fourth)
     result = 10 if code == 5 else result
     return 0 if code == 0 else result

@@ -12,14 +12,17 @@ from quintrig.geometry.constructions import Options
 from quintrig.geometry.surface import Surface
 from quintrig.support.arrays import LARGEST, SMALLEST
 
+LARGEST_POLYGON = 64
+"""Most control points in one direction."""
+
 Number = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-LARGEST, le=LARGEST)]
 Positive = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, ge=SMALLEST, le=LARGEST)]
 Pair = Annotated[list[Number], Field(min_length=2, max_length=2)]
 Point = Annotated[list[Number], Field(min_length=3, max_length=3)]
 Plane = Annotated[list[Number], Field(min_length=4, max_length=4)]
-Polygon = Annotated[list[Point], Field(min_length=2, max_length=64)]
-Outline = Annotated[list[Pair], Field(min_length=2, max_length=64)]
-Rows = Annotated[list[Polygon], Field(min_length=2, max_length=64)]
+Polygon = Annotated[list[Point], Field(min_length=2, max_length=LARGEST_POLYGON)]
+Outline = Annotated[list[Pair], Field(min_length=2, max_length=LARGEST_POLYGON)]
+Rows = Annotated[list[Polygon], Field(min_length=2, max_length=LARGEST_POLYGON)]
 Four = Annotated[
     list[Number],
     Field(
