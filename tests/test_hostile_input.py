@@ -11,9 +11,9 @@ import pytest
 
 from quintrig.exchange.nets import model_from_net
 from quintrig.model.model import load
+from quintrig.model.save import merged
 from quintrig.model.toml import to_toml
 from quintrig.studio import folder
-from quintrig.studio.merge import merged
 from quintrig.support.errors import ModelError
 from quintrig.support.files import refuse_loss
 from quintrig.support.parsing import DEEPEST, parse
@@ -109,7 +109,7 @@ def test_memory_and_time_stay_small(tmp_path):
     for name, text in (DEEP | MANY).items():
         (tmp_path / name).write_text(text)
     code = (
-        "import resource, sys\nfrom pathlib import Path\nfrom quintrig.model import load\n"
+        "import resource, sys\nfrom pathlib import Path\nfrom quintrig import load\n"
         "before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss\n"
         "for file in Path(sys.argv[1]).iterdir():\n"
         "    try: load(file)\n"

@@ -40,6 +40,7 @@ if TYPE_CHECKING:
     from quintrig.geometry.surface import Surface as Surface
     from quintrig.model.model import Model as Model
     from quintrig.model.model import load as load
+    from quintrig.model.save import save as save
     from quintrig.quantities.classify import Thresholds as Thresholds
     from quintrig.support.errors import ModelError as ModelError
 
@@ -58,6 +59,7 @@ _HOME = {
     "geometry.envelope": ("developable", "regression"),
     "support.errors": ("ModelError",),
     "model.model": ("Model", "load"),
+    "model.save": ("save",),
     "geometry.closed_forms": (
         "catenoid",
         "cone",
