@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from quintrig.analysis.sample import analyse as analyse
     from quintrig.analysis.stream import analyse_blocks as analyse_blocks
     from quintrig.analysis.summary import summarise as summarise
+    from quintrig.developables.regression import regression as regression
     from quintrig.enclosures.convex_hull import check_curve_hull as check_curve_hull
     from quintrig.enclosures.convex_hull import check_hull as check_hull
     from quintrig.geometry.closed_forms import catenoid as catenoid
@@ -36,7 +37,6 @@ if TYPE_CHECKING:
     from quintrig.geometry.curve import Curve as Curve
     from quintrig.geometry.domain import grid as grid
     from quintrig.geometry.envelope import developable as developable
-    from quintrig.geometry.envelope import regression as regression
     from quintrig.geometry.surface import Surface as Surface
     from quintrig.model.model import Model as Model
     from quintrig.model.model import load as load
@@ -56,7 +56,8 @@ _HOME = {
     "quantities.classify": ("Thresholds",),
     "geometry.constructions": ("ruled", "swept", "swung", "symmetric", "tensor"),
     "geometry.curve": ("Curve",),
-    "geometry.envelope": ("developable", "regression"),
+    "geometry.envelope": ("developable",),
+    "developables.regression": ("regression",),
     "support.errors": ("ModelError",),
     "model.model": ("Model", "load"),
     "model.save": ("save",),

@@ -28,8 +28,8 @@ from quintrig.analysis.quadrature import (
 )
 from quintrig.analysis.sample import Sample, analyse
 from quintrig.analysis.singular_edges import CURVATURES, limits
+from quintrig.developables.regression import inner_regression
 from quintrig.geometry.domain import grid
-from quintrig.geometry.envelope import inner_regression
 from quintrig.geometry.surface import Surface
 from quintrig.quantities.table import BY_KEY, Quantity, quantity
 from quintrig.support.arrays import FloatArray

@@ -16,7 +16,7 @@ from quintrig.geometry.surface import Surface
 from quintrig.quantities.classify import Thresholds
 from quintrig.quantities.table import BY_KEY, quantity
 from quintrig.support.errors import QuintrigError
-from quintrig.support.files import require
+from quintrig.support.extras import need
 
 Progress = Callable[[int, int], None]
 """Called with the rows done and the rows in all."""
@@ -70,7 +70,7 @@ def write_zarr(
     Arrays ``u`` (nu,) and ``v`` (nv,) hold the parameters, the group's attributes say which way the normal points. The
     folder appears whole when all is done. Raises QuintrigError where Zarr is missing or ``out`` cannot be written.
     """
-    require("zarr", "stream")
+    need("zarr", "writing Zarr")
     import zarr
 
     keys = tuple(dict.fromkeys(quantities))
@@ -116,7 +116,7 @@ def write_parquet(
 
     The file appears whole when all is done. Raises QuintrigError where pyarrow is missing or ``out`` cannot be written.
     """
-    require("pyarrow", "stream")
+    need("pyarrow", "writing Parquet", "stream")
     import pyarrow
     from pyarrow import parquet
 

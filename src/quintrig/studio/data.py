@@ -5,7 +5,6 @@ ranges and colours are stated once.
 """
 
 import sys
-import tomllib
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any, cast
@@ -24,15 +23,11 @@ from quintrig.model.starter import starter
 from quintrig.quantities.classify import Thresholds
 from quintrig.quantities.signs import CLASSES, POINTS, TYPES, SignTable
 from quintrig.quantities.table import BY_KEY, QUANTITIES, Quantity
+from quintrig.shaping.shape_effect import SHAPE_SETS
 from quintrig.studio.page import as_json
 from quintrig.support.files import write_whole
+from quintrig.support.parsing import parse
 from quintrig.support.tolerance import SINGULAR, VERTICAL
-
-SHAPE_SETS: dict[int, tuple[tuple[float, ...], ...]] = {
-    4: ((1.0, 1.0, 1.0, 1.0), (1.0, 1.0, -3.0, -3.0), (1.0, -3.0, 1.0, -3.0), (1.0, 0.0, -2.0, -3.0)),
-    2: ((1.0, 1.0), (0.0, -4.0), (-2.0, 0.0), (-2.0, -4.0)),
-}
-"""The four sets of shape parameters that the thesis compares (figures 4.3-4.6 and 4.29-4.32), by their number."""
 
 WORDS: dict[str, SignTable] = {"point_type": POINTS, "hk_type": TYPES, "shape_class": CLASSES}
 """The tables of signs that say in words what the types of a classification look like."""
@@ -63,7 +58,7 @@ def table() -> dict[str, Any]:
             "sequential": _stops(palette.SEQUENTIAL),
         },
         "presets": _presets(),
-        "starters": {kind: tomllib.loads(starter(kind)) for kind in OWN},
+        "starters": {kind: parse(starter(kind), ".toml") for kind in OWN},
     }
 
 

@@ -8,13 +8,13 @@ from quintrig.model.model import Model
 from quintrig.model.recognise import Subject, as_model
 from quintrig.quantities.table import quantity
 from quintrig.studio import page, still
-from quintrig.support.errors import QuintrigError
+from quintrig.support.extras import missing
 
 try:
     import anywidget
     import traitlets
 except ModuleNotFoundError as error:
-    raise QuintrigError(f"showing surfaces in Jupyter needs {error.name}: pip install 'quintrig[jupyter]'") from None
+    raise missing("showing surfaces in Jupyter", str(error.name), "jupyter") from None
 
 
 NO_COLOUR = "none"

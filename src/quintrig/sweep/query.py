@@ -8,7 +8,7 @@ import numpy as np
 
 from quintrig.support.arrays import FloatArray
 from quintrig.support.errors import QuintrigError, nearest
-from quintrig.support.files import require
+from quintrig.support.extras import need
 from quintrig.sweep.part import columns
 from quintrig.sweep.space import DesignSpace
 from quintrig.sweep.store import Sweep
@@ -31,7 +31,7 @@ class Question:
 
     def check(self, space: DesignSpace) -> None:
         """Raise QuintrigError for a condition that cannot be read or an unknown column, before anything is computed."""
-        require("polars", "sweep")
+        need("polars", "a sweep")
         import polars as pl
 
         known = columns(space)

@@ -10,7 +10,7 @@ from uuid import uuid4
 
 from quintrig.support.arrays import FloatArray
 from quintrig.support.errors import QuintrigError
-from quintrig.support.files import require
+from quintrig.support.extras import need
 from quintrig.sweep.part import summaries
 from quintrig.sweep.store import Sweep
 
@@ -74,7 +74,7 @@ def _on_threads(sweep: Sweep, parts: list[int], threads: int | None) -> Iterator
 
 
 def _on_cluster(sweep: Sweep, parts: list[int], scheduler: str) -> Iterator[tuple[int, FloatArray]]:
-    require("distributed", "cluster")
+    need("distributed", "a cluster")
     from distributed import Client, KilledWorker, as_completed
 
     try:

@@ -13,7 +13,6 @@ from quintrig.support.errors import ModelError, nearest
 from quintrig.support.numerals import real, whole
 
 Sampling = Literal["grid", "latin", "sobol"]
-SHAPE_NAMES = ("alpha1", "zeta1", "alpha2", "zeta2")
 LARGEST_SPACE = 10**9
 LARGEST_LATIN = 10**6
 """A Latin hypercube is drawn whole, in memory; a Sobol sequence part by part."""
