@@ -103,8 +103,9 @@ class Model:
             return self.patches[0]
         if name is None:
             raise ModelError(
-                f"model {self.name!r} has {len(known)} patches ({', '.join(known)}): choose one by its name "
-                "(--patch NAME)"
+                f"model {self.name!r} has {len(known)} patches ({', '.join(known)}): choose one by its name",
+                remedy="(model.patch(name))",
+                key="patch",
             )
         if name not in known:
             raise ModelError(
@@ -171,7 +172,7 @@ def load(path: str | Path) -> Model:
         raise ModelError(f"{path}: expected a file ending in .toml or .json")
     text = read_text(path)
     if not text.strip():
-        raise ModelError(f"{path}: the file is empty; expected a model, such as 'quintrig new swept' writes")
+        raise ModelError(f"{path}: the file is empty; expected a model", remedy="quintrig.save writes one", key="new")
     try:
         return Model.from_dict(parse(text, path.suffix.lower()), path.parent)
     except ModelError as error:

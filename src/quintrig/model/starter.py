@@ -1,4 +1,4 @@
-"""Commented starter models, one for every kind: ``quintrig new KIND``.
+"""Commented starter models, one for every kind.
 
 The comments are the descriptions of the keys in ``definition``, so that there is one place that says what a key means.
 """
@@ -15,14 +15,14 @@ from quintrig.support.errors import nearest
 _WIDTH = 100
 
 
-def starter(kind: str) -> str:
-    """Return a valid, commented TOML model of this kind; ValueError with the nearest known kind."""
+def starter(kind: str, remark: str = "") -> str:
+    """Return a valid, commented TOML model of this kind, with a remark on top; ValueError with the nearest kind."""
     if kind not in kinds():
         raise ValueError(f"kind: expected one of {', '.join(kinds())}, got {kind!r}{nearest(kind, kinds())}")
     form = kinds()[kind]
     values = form.starter
     lines = [
-        *_comment(f"{_first_line(form)} Check it with: quintrig check FILE.toml"),
+        *_comment(f"{_first_line(form)} {remark}"),
         "",
         f"schema = {SCHEMA_VERSION}",
         f'name = "My {kind.replace("_", " ")}{" surface" if form.nets else ""}"',

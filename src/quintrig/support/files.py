@@ -137,8 +137,10 @@ def refuse_loss(target: str | Path, *sources: Path | None, force: bool | None = 
                 f"{path}: this file is read here, and writing to it would lose the original; choose another name"
             )
     if not force and _is_model(path):
-        remedy = "remove it first" if force is None else "--force to replace it"
-        raise QuintrigError(f"{path}: exists already and is a model; choose another name, or {remedy}")
+        message, name = f"{path}: exists already and is a model", "choose another name, or"
+        if force is None:
+            raise QuintrigError(message, remedy=f"{name} remove it first")
+        raise QuintrigError(message, remedy=f"{name} force=True to replace it", key="replace")
 
 
 def _is_model(path: Path) -> bool:

@@ -81,7 +81,7 @@ def _on_cluster(sweep: Sweep, parts: list[int], scheduler: str) -> Iterator[tupl
         client: Any = cast(Any, Client)(scheduler, timeout=_PATIENCE, set_as_default=False)
     except Exception as error:  # an address that is none fails in many ways inside distributed, assertions among them
         reason = (str(error).splitlines() or [type(error).__name__])[0]
-        raise QuintrigError(f"--scheduler {scheduler}: cannot be reached ({reason}); is it running?") from None
+        raise QuintrigError(f"cannot be reached ({reason}); is it running?", "scheduler", scheduler) from None
     waiting = iter(parts)
     numbers: dict[str, int] = {}
 
@@ -108,8 +108,9 @@ def _on_cluster(sweep: Sweep, parts: list[int], scheduler: str) -> Iterator[tupl
     except (OSError, CancelledError, ImportError, KilledWorker) as error:
         reason = (str(error).splitlines() or [""])[0] or type(error).__name__
         raise QuintrigError(
-            f"--scheduler {scheduler}: the cluster failed ({reason[:200]}); the parts written stay, and the same "
-            "command goes on from them"
+            f"the cluster failed ({reason[:200]}); the parts written stay, and the same command goes on from them",
+            "scheduler",
+            scheduler,
         ) from None
 
 
@@ -129,6 +130,8 @@ def _arriving(running: Any, client: Any, scheduler: str) -> Iterator[tuple[Any, 
             manned = now if client.scheduler_info()["workers"] else manned
             if now - manned > _IDLE:
                 raise QuintrigError(
-                    f"--scheduler {scheduler}: has had no worker for {_IDLE:.0f} s; start some by 'dask worker "
-                    f"{scheduler}' and give the same command again: the parts written stay"
+                    f"has had no worker for {_IDLE:.0f} s; start some by 'dask worker {scheduler}' and give the same "
+                    "command again: the parts written stay",
+                    "scheduler",
+                    scheduler,
                 )
