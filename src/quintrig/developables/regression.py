@@ -41,6 +41,11 @@ class Regression:
     intervals: tuple[tuple[float, float], ...]
     still: tuple[float, ...]
 
+    def __repr__(self) -> str:
+        """Return one line: where the edge lies inside."""
+        spans = ", ".join(f"{low:.6g} to {high:.6g}" for low, high in self.intervals[:4])
+        return f"<Regression on {len(self.u)} rulings: {f'inside for u from {spans}' if spans else 'outside'}>"
+
 
 @dataclass(frozen=True)
 class _Crossing:

@@ -116,17 +116,16 @@ def polygon(curve: SpaceCurve, shape: Sequence[float] = (0.0, 0.0)) -> tuple[Flo
     basis = Trigonometric(alpha, zeta)
     x: FloatArray = np.linspace(0.0, 1.0, 401)
     target = _curve_points(curve, x)
-    best: tuple[FloatArray, float] | None = None
+    tried: list[tuple[float, FloatArray]] = []
     for t in (x, RIGHT_ANGLE.backward(x)):
         matrix = basis.derivatives(t, 0)[0]
         ends = np.outer(matrix[:, 0], target[0]) + np.outer(matrix[:, 5], target[-1])
         inner = cast(FloatArray, np.linalg.lstsq(matrix[:, 1:5], target - ends, rcond=None)[0])
         points: FloatArray = np.concatenate([target[:1], inner, target[-1:]])
         gap = float(np.sqrt(((matrix @ points - target) ** 2).sum(axis=1)).max())
-        if best is None or gap < best[1]:
-            best = points, gap
-    assert best is not None
-    return best
+        tried.append((gap, points))
+    gap, points = min(tried, key=lambda one: one[0])
+    return points, gap
 
 
 def _from_json(path: Path) -> Any:
@@ -158,8 +157,6 @@ def _curve_points(curve: SpaceCurve, x: FloatArray) -> FloatArray:
 
 def _keys(definition: Any) -> tuple[str, ...]:
     """Return the keys of a patch that hold control points."""
-    if definition is None:
-        return ()
     return ("points",) if definition.kind == "nurbs" else tuple(definition.nets)
 
 

@@ -67,6 +67,10 @@ class Envelope(Pickled):
     functions: Trigonometric
     origin: FloatArray = field(default_factory=lambda: np.zeros(3))
 
+    def __repr__(self) -> str:
+        """Return one line: planes and shape parameters."""
+        return f"<Envelope of {len(self.planes)} planes: alpha {self.functions.alpha:g}, zeta {self.functions.zeta:g}>"
+
     @property
     def size(self) -> int:
         """Number of rows: two."""

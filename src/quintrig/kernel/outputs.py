@@ -63,7 +63,8 @@ def _run(*keys: str) -> int:
     order = list(FLOAT_SLOTS)
     start = order.index(keys[0])
     found = order[start : start + len(keys)]
-    assert found == list(keys), f"quantity.py: expected {', '.join(keys)} one after the other, found {', '.join(found)}"
+    if found != list(keys):
+        raise RuntimeError(f"QUANTITIES: expected {', '.join(keys)} one after the other, found {', '.join(found)}")
     return FLOAT_SLOTS[keys[0]]
 
 

@@ -60,6 +60,7 @@ def write_report(
     QuintrigError where it cannot be written, ValueError for fewer than 2 points.
     """
     target = _target(out)
+    source = to_toml(model.to_dict())  # before all the work where it cannot be written
     thresholds = thresholds or Thresholds()
     detailed = len(model.patches) <= DETAILED
     several = len(model.patches) > 1
@@ -80,7 +81,7 @@ def write_report(
         step(f"picture {picture.name}")
         together[picture.name] = render(picture)
     step("writing the page")
-    return write_whole(target, _page(model, chapters, together, grid, thresholds))
+    return write_whole(target, _page(model, source, chapters, together, grid, thresholds))
 
 
 def _steps(progress: Progress | None, total: int) -> Callable[[str], None]:
@@ -96,8 +97,14 @@ def _target(out: Path) -> Path:
     return target
 
 
-def _page(model: Model, chapters: list[Chapter], together: dict[str, Image], grid: int, thresholds: Thresholds) -> str:
-    source = to_toml(model.to_dict())
+def _page(
+    model: Model,
+    source: str,
+    chapters: list[Chapter],
+    together: dict[str, Image],
+    grid: int,
+    thresholds: Thresholds,
+) -> str:
     live = len(source) <= _LARGEST_VIEW
     return (
         _environment()
