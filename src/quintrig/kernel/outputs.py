@@ -21,7 +21,8 @@ from quintrig.quantities import classify, curvature, invariants
 from quintrig.quantities.curvature import Three
 from quintrig.quantities.table import QUANTITIES
 from quintrig.support.arrays import FloatArray
-from quintrig.support.compiled import BLOCK, address, codes_at, floats_at, loop, scalar, words_at
+from quintrig.support.compiled import BLOCK, codes_at, floats_at, loop, scalar, words_at
+from quintrig.support.numba_inside import address
 
 Addresses = NDArray[np.int64]
 """Where each plane starts, 0 for one that nobody asked for."""
