@@ -317,7 +317,7 @@ def _natural(row: Quantity, curvedness: float) -> float:
 
 def _scalar(key: str) -> Quantity:
     row = quantity(key)
-    if row.colour not in ("diverging", "sequential"):
-        known = ", ".join(q.key for q in BY_KEY.values() if q.colour in ("diverging", "sequential"))
+    if row.kind != "scalar":
+        known = ", ".join(q.key for q in BY_KEY.values() if q.kind == "scalar")
         raise ValueError(f"{key}: expected a scalar quantity, one of {known}")
     return row

@@ -88,7 +88,7 @@ def write_zarr(
                 key,
                 shape=(nu, nv, *tail),
                 chunks=(min(nu, _rows(nv)), nv, *tail),
-                dtype="int8" if q.colour == "classes" else "float64",
+                dtype="int8" if q.kind == "class" else "float64",
                 attributes={"name": q.name, "symbol": q.symbol, "unit": q.unit(unit), "classes": list(q.classes)},
             )
         for block in blocks:

@@ -115,7 +115,7 @@ def _in_metric(keys: Iterable[str], metric: str) -> tuple[str, ...]:
 
 
 def _columns(q: Quantity, sample: Sample, unit: str) -> list[Column]:
-    if q.colour == "classes":
+    if q.kind == "class":
         codes: list[int] = sample[q.key].ravel().tolist()
         names = tuple(q.classes[code] for code in codes)
         return [Column(q.key, q.symbol, q.latex, q.name, "", names, names)]

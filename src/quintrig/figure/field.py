@@ -34,11 +34,11 @@ class Field:
     @property
     def undefined(self) -> NDArray[np.bool_]:
         """True where the value is NaN or infinite, or the class is code 0."""
-        return self.values == 0 if self.quantity.colour == "classes" else ~np.isfinite(self.values)
+        return self.values == 0 if self.quantity.kind == "class" else ~np.isfinite(self.values)
 
     def colours(self, stretch: Limits | None) -> FloatArray:
         """Return RGB colours, shape (n, m, 3), of a real quantity between the limits, its own where None."""
-        if self.quantity.colour == "classes":
+        if self.quantity.kind == "class":
             return class_colours(self.values, self.quantity.key)
         stretch = stretch or limits(self.values, self.quantity, self.scale)
         return real_colours(self.values, self.quantity, stretch)
@@ -47,7 +47,7 @@ class Field:
 def field(surface: Surface, key: str, u: FloatArray, v: FloatArray, thresholds: Thresholds | None = None) -> Field:
     """Compute a quantity on the grid u (n,) x v (m,); ValueError for a key that has no colour."""
     q = quantity(key)
-    if q.colour == "vector":
+    if q.kind == "vector":
         raise ValueError(f"{key}: a vector cannot be drawn as a colour; choose a number or a class")
     sample = analyse(surface, u[:, None], v[None, :], tuple(dict.fromkeys((key, "curvedness"))), thresholds=thresholds)
     scale = natural_scale(sample, q)
@@ -73,7 +73,7 @@ def facet_fields(
         inner = field(surface, key, centres, centres, thresholds)
         corner = field(surface, key, nodes, nodes, thresholds).undefined
         bad = corner[:-1, :-1] | corner[1:, :-1] | corner[1:, 1:] | corner[:-1, 1:]
-        nothing = 0 if inner.quantity.colour == "classes" else np.nan
+        nothing = 0 if inner.quantity.kind == "class" else np.nan
         values = np.where(bad, nothing, inner.values).astype(inner.values.dtype)
         found.append(Field(inner.quantity, inner.u, inner.v, values, inner.scale, inner.noise))
     return found
@@ -97,7 +97,7 @@ def natural_scale(sample: Sample, q: Quantity) -> float:
 
 def common_limits(fields: Sequence[Field]) -> Limits | None:
     """Return one stretch for all fields of one real quantity; None for classes, whose colours are fixed."""
-    if not fields or fields[0].quantity.colour == "classes":
+    if not fields or fields[0].quantity.kind == "class":
         return None
     return limits([f.values for f in fields], fields[0].quantity, max(f.scale for f in fields))
 

@@ -44,7 +44,7 @@ def _slots() -> tuple[dict[str, int], dict[str, int]]:
     codes: dict[str, int] = {}
     used = 0
     for q in QUANTITIES:
-        if q.colour == "classes":
+        if q.kind == "class":
             codes[q.key] = len(codes)
         else:
             floats[q.key] = used
@@ -55,7 +55,7 @@ def _slots() -> tuple[dict[str, int], dict[str, int]]:
 FLOAT_SLOTS, CODE_SLOTS = _slots()
 """Index of the first plane of each real quantity, and of the plane of each classification."""
 
-FLOAT_PLANES = sum(q.components for q in QUANTITIES if q.colour != "classes")
+FLOAT_PLANES = sum(q.components for q in QUANTITIES if q.kind != "class")
 CODE_PLANES = len(CODE_SLOTS)
 
 

@@ -93,7 +93,7 @@ def _assembled(surfaces: Sequence[Surface], cuts: Sequence[Cut], found: Sequence
     points, normals = np.empty((total, 3)), np.empty((total, 3))
     u, v = np.empty(total), np.empty(total)
     patch = np.empty(total, dtype=np.int64)
-    kinds = {key: np.int8 if BY_KEY[key].colour == "classes" else np.float64 for key in keys}
+    kinds = {key: np.int8 if BY_KEY[key].kind == "class" else np.float64 for key in keys}
     values: dict[str, NDArray[Any]] = {key: np.empty(total, dtype=kind) for key, kind in kinds.items()}
     triangles: list[Triangles] = []
     chord, notes = 0.0, list[str]()

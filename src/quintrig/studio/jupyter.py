@@ -36,7 +36,7 @@ class View(anywidget.AnyWidget):
     @traitlets.validate("quantity")
     def _known(self, proposal: Any) -> str:
         key = str(proposal["value"])
-        if key != NO_COLOUR and quantity(key).colour == "vector":
+        if key != NO_COLOUR and quantity(key).kind == "vector":
             raise ValueError(f"{key} is a vector; choose a quantity with one value at a point, such as gaussian")
         return key
 
