@@ -17,9 +17,7 @@ from quintrig.quantities.classify import Thresholds
 from quintrig.quantities.table import BY_KEY, quantity
 from quintrig.support.errors import QuintrigError
 from quintrig.support.extras import need
-
-Progress = Callable[[int, int], None]
-"""Called with the rows done and the rows in all."""
+from quintrig.support.progress import Counted
 
 _POINTS = 2**18  # points in a block: with all quantities 100 MB, with K and H 4 MB
 _WIDEST = 2**24  # points in one row
@@ -63,7 +61,7 @@ def write_zarr(
     *,
     unit: str = "",
     thresholds: Thresholds | None = None,
-    progress: Progress | None = None,
+    progress: Counted | None = None,
 ) -> Path:
     """Write a Zarr group with an array (nu, nv) or (nu, nv, 3) for each quantity, its name and unit beside it.
 
@@ -110,7 +108,7 @@ def write_parquet(
     *,
     unit: str = "",
     thresholds: Thresholds | None = None,
-    progress: Progress | None = None,
+    progress: Counted | None = None,
 ) -> Path:
     """Write a Parquet file with a row a point: u, v and a column for each quantity, three for a vector.
 

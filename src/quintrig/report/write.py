@@ -24,9 +24,7 @@ from quintrig.report.pictures import Image, invariants_shown, overview, picture_
 from quintrig.report.wording import measure, number, percent, prose
 from quintrig.studio import page as studio
 from quintrig.support.files import refuse_unwritable, write_whole
-
-Progress = Callable[[str, int, int], None]
-"""Called with what is being done, steps done and steps in all."""
+from quintrig.support.progress import Progress
 
 DETAILED = 4
 """Models with more patches than this are told in brief: fewer pictures of each."""

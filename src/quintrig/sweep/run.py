@@ -1,6 +1,6 @@
 """Running a sweep: on threads of this machine, or on the workers of a Dask cluster."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, ThreadPoolExecutor, wait
 from itertools import islice
 from os import cpu_count
@@ -11,11 +11,9 @@ from uuid import uuid4
 from quintrig.support.arrays import FloatArray
 from quintrig.support.errors import QuintrigError
 from quintrig.support.extras import need
+from quintrig.support.progress import Counted
 from quintrig.sweep.part import summaries
 from quintrig.sweep.store import Sweep
-
-Progress = Callable[[int, int], None]
-"""Called with the designs done and the designs in all."""
 
 _PATIENCE = 5.0  # seconds to wait for a scheduler
 _IDLE = 60.0  # seconds to wait for workers where a cluster has none
@@ -25,7 +23,7 @@ _AHEAD = 256  # parts handed to a cluster at a time
 
 
 def run(
-    sweep: Sweep, scheduler: str | None = None, progress: Progress | None = None, threads: int | None = None
+    sweep: Sweep, scheduler: str | None = None, progress: Counted | None = None, threads: int | None = None
 ) -> None:
     """Compute the parts that are missing and write each as it comes.
 
