@@ -49,6 +49,12 @@ class Net(Pickled):
         """Keep a copy of points that might change."""
         object.__setattr__(self, "points", locked(self.points))
 
+    def __repr__(self) -> str:
+        """Return one line: points and functions."""
+        count, rows, dimension = self.points.shape
+        kind = "homogeneous points" if dimension == 4 else "points"
+        return f"<Net of {count} x {rows} {kind}: {_called(self.functions)}>"
+
     @property
     def size(self) -> int:
         """Number of rows."""

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from quintrig.support.arrays import number
 from quintrig.support.compiled import scalar
+from quintrig.support.tolerance import NOISE
 
 POINT_TYPES = ("undefined", "elliptic", "hyperbolic", "parabolic", "planar", "umbilic")
 """Index is the code. An umbilic is an elliptic point with κ1 = κ2 (do Carmo 1976, §3.2)."""
@@ -58,7 +59,7 @@ INVARIANT_TYPES = (
 """What the signs of β1 and β2 say of the height field, numbered like Besl's types (β1 for H, β2 for K)."""
 
 
-LEAST_THRESHOLD = 1e-12
+LEAST_THRESHOLD = NOISE
 """Below this, rounding decides: a plane would get shapes."""
 
 

@@ -5,7 +5,6 @@ ranges and colours are stated once.
 """
 
 import sys
-import tomllib
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
@@ -25,12 +24,12 @@ from quintrig.model.starter import starter
 from quintrig.quantities.classify import SHAPE_BREAKS, Thresholds
 from quintrig.quantities.signs import CLASSES, POINTS, TYPES, SignTable
 from quintrig.quantities.table import BY_KEY, QUANTITIES, Quantity
-from quintrig.shaping.shape_effect import FOUR_SETS, TWO_SETS
 from quintrig.studio import built
 from quintrig.studio.kinds import kind
 from quintrig.studio.page import as_json
 from quintrig.support.arrays import LARGEST
 from quintrig.support.files import write_whole
+from quintrig.support.parsing import parse
 from quintrig.support.tolerance import NOISE, SAME_COLOUR, SINGULAR, VERTICAL
 
 WORDS: dict[str, SignTable] = {"point_type": POINTS, "hk_type": TYPES, "shape_class": CLASSES}
@@ -47,7 +46,7 @@ def table() -> dict[str, Any]:
         "schema": SCHEMA_VERSION,
         "units": list(UNITS),
         "shapeRange": list(SHAPE_RANGE),
-        "shapeSets": {len(sets[0]): [list(one) for one in sets] for sets in (FOUR_SETS, TWO_SETS)},
+        "shapeSets": {count: [list(one) for one in sets] for count, sets in SHAPE_SETS.items()},
         "quantities": [_quantity(q) for q in QUANTITIES],
         "limits": {
             **asdict(Thresholds()),
@@ -77,7 +76,7 @@ def table() -> dict[str, Any]:
             "sequential": _stops(palette.SEQUENTIAL),
         },
         "presets": _presets(),
-        "starters": {name: tomllib.loads(starter(name)) for name in OWN},
+        "starters": {name: parse(starter(name), ".toml") for name in OWN},
     }
 
 

@@ -10,13 +10,13 @@ from quintrig.quantities.table import quantity
 from quintrig.studio import page, still
 from quintrig.studio.built import for_page, rebuilt
 from quintrig.studio.kinds import installed
-from quintrig.support.errors import QuintrigError
+from quintrig.support.extras import missing
 
 try:
     import anywidget
     import traitlets
 except ModuleNotFoundError as error:
-    raise QuintrigError(f"showing surfaces in Jupyter needs {error.name}: pip install 'quintrig[jupyter]'") from None
+    raise missing("showing surfaces in Jupyter", str(error.name), "jupyter") from None
 
 
 NO_COLOUR = "none"
@@ -45,7 +45,7 @@ class View(anywidget.AnyWidget):
     @traitlets.validate("quantity")
     def _known(self, proposal: Any) -> str:
         key = str(proposal["value"])
-        if key != NO_COLOUR and quantity(key).colour == "vector":
+        if key != NO_COLOUR and quantity(key).kind == "vector":
             raise ValueError(f"{key} is a vector; choose a quantity with one value at a point, such as gaussian")
         return key
 

@@ -65,8 +65,9 @@ def site(model: Path | None, host: str = LOOPBACK, port: int = 0) -> Site:
         if _free(host, candidate):
             return Site(base, place.name if model else "", host, candidate, secrets.token_urlsafe(24))
     raise QuintrigError(
-        f"{host}: port {candidates[0]} cannot be used (taken by another program, or not an address of this machine); "
-        "choose another with --port or --host"
+        f"{host}: port {candidates[0]} cannot be used (taken by another program, or not an address of this machine)",
+        remedy="choose another port or host",
+        key="address",
     )
 
 

@@ -8,7 +8,7 @@ from typing import Annotated, Any, ClassVar
 from pydantic import BaseModel, ConfigDict, Field
 
 from quintrig.basis.registry import BasisName
-from quintrig.geometry.constructions import Options
+from quintrig.geometry.constructions import SHAPE_NAMES, Options
 from quintrig.geometry.surface import Surface
 from quintrig.support.arrays import LARGEST, SMALLEST
 
@@ -86,13 +86,17 @@ class Definition(BaseModel):
         return False
 
     @property
+    def acting(self) -> dict[str, float]:
+        """The shape parameters that act on the surface, by name."""
+        names = () if self.classical else self.shape_names
+        return dict(zip(names, self.shape_values, strict=True)) if names else {}
+
+    @property
     def parameters(self) -> dict[str, float]:
         """The numbers that may be varied, by name: shape parameters, then sizes and scales."""
-        names = () if self.classical else self.shape_names
-        shape = dict(zip(names, self.shape_values, strict=True)) if names else {}
         fields = type(self).model_fields
         values = {key: getattr(self, key) for key in fields}
-        return shape | {key: float(x) for key, x in values.items() if isinstance(x, float)}
+        return self.acting | {key: float(x) for key, x in values.items() if isinstance(x, float)}
 
     @property
     def shape_values(self) -> tuple[float, ...]:
@@ -103,7 +107,7 @@ class Definition(BaseModel):
 class Bezier(Definition):
     """Keys of the kinds that are built from control points."""
 
-    shape_names: ClassVar[tuple[str, ...]] = ("alpha1", "zeta1", "alpha2", "zeta2")
+    shape_names: ClassVar[tuple[str, ...]] = SHAPE_NAMES
     affine: ClassVar[bool] = True
     shape: Four = [0.0, 0.0, 0.0, 0.0]
     basis: BasisName = Field(
