@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import quintrig
-from quintrig.shaping.shape_effect import FOUR_SETS
+from quintrig.shaping.shape_effect import SHAPE_SETS
 from test_plugins import PLUGIN, done, environment, toy  # noqa: F401
 from test_studio_browser import browser, context, kept, opened, pytestmark, served, state, until  # noqa: F401
 from test_studio_notebook_page import SCRIPT as NOTEBOOK
@@ -173,7 +173,7 @@ def test_control_points_are_dragged_and_sets_compared(context, live, toys):  # n
     page.evaluate(f"{STUDIO}.store.set({{ compare: 'sets' }})")
     until(page, f"{STUDIO}.stage.cells.length === 4")
     page.wait_for_timeout(1000)
-    for i, shape in enumerate(FOUR_SETS):
+    for i, shape in enumerate(SHAPE_SETS[4]):
         varied = moved.model_copy(update={"shape": [float(x) for x in shape]})
         middle = varied.surface()(0.5, 0.5).tolist()
         until(page, f"({NEAR})({STUDIO}, {middle}, {i})")

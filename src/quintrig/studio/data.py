@@ -24,6 +24,7 @@ from quintrig.model.starter import starter
 from quintrig.quantities.classify import SHAPE_BREAKS, Thresholds
 from quintrig.quantities.signs import CLASSES, POINTS, TYPES, SignTable
 from quintrig.quantities.table import BY_KEY, QUANTITIES, Quantity
+from quintrig.shaping.shape_effect import SHAPE_SETS
 from quintrig.studio import built
 from quintrig.studio.kinds import kind
 from quintrig.studio.page import as_json
