@@ -2,24 +2,20 @@
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: report test test-fast test-slow coverage test-lowest test-processors check bench bench-studio studio bundle extras clean
+.PHONY: report test test-fast test-slow test-lowest test-processors check check-studio bench bench-studio studio bundle extras clean
 
 report: .venv/installed
 	$(BIN)/quintrig report examples/car_boot.toml out/car_boot
 
-test: .venv/installed-dev
-	$(BIN)/python -m pytest -n auto
+# All tests, in two parts: what to run while working, and what takes long (tests/conftest.py says which). CI prints
+# what share of the lines the fast ones reach in their own process.
+test: test-fast test-slow
 
-# Two parts of the same tests: what to run while working, and what takes long (tests/conftest.py says which).
 test-fast: .venv/installed-dev
-	$(BIN)/python -m pytest -n auto -m "not slow"
+	$(BIN)/python -m pytest -n auto -m "not slow" $(if $(CI),--cov --cov-report=term)
 
 test-slow: .venv/installed-dev
 	$(BIN)/python -m pytest -n auto -m slow
-
-# The fast tests, and the share of lines that they reach in their own process.
-coverage: .venv/installed-dev
-	$(BIN)/python -m pytest -n auto -m "not slow" --cov --cov-report=term
 
 # Numbers with the lowest versions of dependencies that pyproject.toml lets in, in an environment of their own.
 LOWEST := $(addprefix tests/test_,$(addsuffix .py,basis construct curve envelope integrate model nurbs quantity schema \
@@ -48,6 +44,11 @@ check: .venv/installed-dev
 	$(BIN)/ruff format --check .
 	$(BIN)/pyright --project pyproject.toml
 
+# The browser's half: types, lint, unit tests, and the bundle that its sources make is the one that ships.
+check-studio: studio/node_modules
+	cd studio && npm run --silent check && npm run --silent lint && npm test --silent
+	mkdir -p out && node studio/build.mjs out/studio.js && cmp out/studio.js src/quintrig/studio/bundle/studio.js
+
 # With OUT=bench/results/VERSION.json the tables are kept there too, as for each release.
 bench: .venv/installed-dev
 	$(BIN)/python -m bench $(if $(OUT),--keep $(OUT))
@@ -65,8 +66,8 @@ bundle: .venv/installed-dev studio/node_modules
 	$(BIN)/python -m quintrig.studio.data studio/src/data.json
 	cd studio && npx tsc --noEmit && node build.mjs
 
-studio/node_modules: studio/package.json
-	cd studio && npm install --no-package-lock --no-audit --no-fund
+studio/node_modules: studio/package-lock.json
+	cd studio && npm ci --no-audit --no-fund
 	touch $@
 
 # Everything optional: CAD, meshes, studio, clusters. The tests that need one of them skip without it.

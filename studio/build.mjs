@@ -14,7 +14,8 @@ const walk = (folder) =>
   readdirSync(folder, { withFileTypes: true }).flatMap((entry) =>
     entry.isDirectory() ? walk(join(folder, entry.name)) : [join(folder, entry.name)],
   );
-const sources = [...walk(join(here, "src")), join(here, "build.mjs"), join(here, "package.json"), join(here, "tsconfig.json")];
+const settings = ["build.mjs", "package.json", "package-lock.json", "tsconfig.json"].map((name) => join(here, name));
+const sources = [...walk(join(here, "src")), ...settings];
 const hash = createHash("sha256");
 for (const name of sources.map((file) => relative(here, file).replaceAll("\\", "/")).sort()) {
   hash.update(name).update("\0").update(readFileSync(join(here, name))).update("\0");

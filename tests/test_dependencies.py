@@ -11,6 +11,8 @@ import pytest
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
+from quintrig.support.extras import EXTRAS as NEEDED
+
 ROOT = Path(__file__).parents[1]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
 EXTRAS = PROJECT["optional-dependencies"]
@@ -75,14 +77,12 @@ def test_developers_get_everything_that_tests_and_benchmarks_import():
 
 
 def test_the_extra_that_a_message_names_holds_the_package():
-    asked = [
-        pair
-        for file in (ROOT / "src").rglob("*.py")
-        for pair in re.findall(r'\brequire\("(\w+)", "(\w+)"\)', file.read_text(encoding="utf-8"))
-    ]
-    assert len(asked) > 4
+    text = "".join(file.read_text(encoding="utf-8") for file in (ROOT / "src").rglob("*.py"))
+    asked = re.findall(r'\bneed\(f?"([\w.]+).*?", "[^"]+"(?:, "(\w+)")?\)', text)
+    assert {package.partition(".")[0] for package, _ in asked} == set(NEEDED)
     for package, extra in asked:
-        assert canonicalize_name(package) in declared(extra)
+        top = package.partition(".")[0]
+        assert canonicalize_name(CALLED.get(top, top)) in declared(extra or NEEDED[top][0])
 
 
 def test_all_is_every_extra_but_those_of_developers():

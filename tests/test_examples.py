@@ -9,7 +9,7 @@ import pytest
 import quintrig
 from cli_runner import quintrig as cli
 from quintrig.analysis.summary import summarise
-from quintrig.geometry.envelope import regression
+from quintrig.developables.regression import regression
 from quintrig.model.kinds.registry import CONSTRUCTIONS
 
 EXAMPLES = Path(__file__).parent.parent / "examples"

@@ -11,9 +11,9 @@ import pytest
 
 from quintrig.exchange.nets import model_from_net
 from quintrig.model.model import load
+from quintrig.model.save import merged
 from quintrig.model.toml import to_toml
 from quintrig.studio import folder
-from quintrig.studio.merge import merged
 from quintrig.support.errors import ModelError
 from quintrig.support.files import refuse_loss
 from quintrig.support.parsing import DEEPEST, parse

@@ -11,12 +11,17 @@ import pytest
 PLUGIN = Path(__file__).parent / "plugin"
 
 
+def environment(*where):
+    """Return the environment of a process that finds packages in these folders."""
+    path = os.pathsep.join([*map(str, where), os.environ.get("PYTHONPATH", "")])
+    return os.environ | {"PYTHONPATH": path, "MPLBACKEND": "agg"}
+
+
 def quintrig(*arguments, where=(PLUGIN,), folder=None):
     """Run the command line with packages on the path; return the finished process."""
-    path = os.pathsep.join([*map(str, where), os.environ.get("PYTHONPATH", "")])
     return subprocess.run(
         [sys.executable, "-m", "quintrig", *map(str, arguments)],
-        env=os.environ | {"PYTHONPATH": path, "MPLBACKEND": "agg"},
+        env=environment(*where),
         cwd=folder,
         capture_output=True,
         text=True,

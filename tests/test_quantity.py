@@ -132,3 +132,10 @@ def test_unknown_quantity_far_from_all_names_some():
     with pytest.raises(ValueError, match="such as point, normal, E") as caught:
         quantity("temperature")
     assert "did you mean" not in str(caught.value)
+
+
+@pytest.mark.parametrize("q", QUANTITIES, ids=lambda q: q.key)
+def test_what_is_at_a_point_is_said_apart_from_how_it_is_coloured(q):
+    assert (q.kind == "class") == bool(q.classes)
+    assert (q.kind == "vector") == (q.components == 3) == (q.key in {"point", "normal", "direction1", "direction2"})
+    assert q.kind != "scalar" or q.colour in ("diverging", "sequential")

@@ -87,6 +87,22 @@ def test_comparisons(page, compare):
     assert "\n".join(findings(page)) == ""
 
 
+def test_kept_variants_and_their_tools(page):
+    page.get_by_role("button", name="Keep the model").click()
+    page.get_by_label("alpha 2, number").fill("-3")
+    page.keyboard.press("Enter")
+    assert "\n".join(findings(page)) == ""
+    page.get_by_role("button", name="Rename kept 1").click()
+    assert "\n".join(findings(page)) == ""
+
+
+def test_a_lost_server(page, served):  # noqa: F811
+    served.stop()
+    page.evaluate("void document.querySelector('[data-quintrig]').studio.files.save()")
+    page.get_by_role("button", name="Download the model").wait_for()
+    assert "\n".join(findings(page)) == ""
+
+
 @pytest.mark.parametrize("name", ["Models: presets and starters", "Open a model", "Save the model", "Export"])
 def test_menus(page, name):
     page.get_by_role("button", name=name, exact=True).first.click()
@@ -103,6 +119,8 @@ def dialog(page, name):
         page.evaluate("void document.querySelector('[data-quintrig]').studio.files.picture()")
     elif name == "save as":
         page.evaluate("void document.querySelector('[data-quintrig]').studio.files.saveAs()")
+    elif name == "construction":
+        page.get_by_label("Construction", exact=True).select_option("sphere")
     elif name == "export":
         page.get_by_role("button", name="Export").click()
         page.get_by_role("menuitem", name="OBJ").click()
@@ -113,7 +131,7 @@ def dialog(page, name):
     page.locator("dialog[open]").wait_for()
 
 
-@pytest.mark.parametrize("name", ["help", "picture", "save as", "export", "leave"])
+@pytest.mark.parametrize("name", ["help", "picture", "save as", "export", "leave", "construction"])
 def test_dialogs(page, name):
     dialog(page, name)
     assert "\n".join(findings(page)) == ""

@@ -3,6 +3,8 @@
 import hashlib
 import json
 import re
+import shutil
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -18,12 +20,31 @@ STUDIO = ROOT / "studio"
 
 def test_the_bundle_is_built_from_the_sources():
     files = [path for path in (STUDIO / "src").rglob("*") if path.is_file()]
-    files += [STUDIO / name for name in ("build.mjs", "package.json", "tsconfig.json")]
+    files += [STUDIO / name for name in ("build.mjs", "package.json", "package-lock.json", "tsconfig.json")]
     digest = hashlib.sha256()
     for path in sorted(files, key=lambda path: path.relative_to(STUDIO).as_posix()):
         digest.update(path.relative_to(STUDIO).as_posix().encode() + b"\0" + path.read_bytes() + b"\0")
     first = BUNDLE.read_text(encoding="utf-8").split("*/", 1)[0]
     assert digest.hexdigest() in first, "studio/src has changed: run `make bundle`"
+
+
+def test_the_bundle_is_the_one_that_its_sources_make(tmp_path):
+    """Whoever builds it with the locked packages gets this very file."""
+    if shutil.which("node") is None or not (STUDIO / "node_modules").exists():
+        pytest.skip("needs Node and the packages: make studio/node_modules")
+    made = tmp_path / "studio.js"
+    subprocess.run(["node", "build.mjs", str(made)], cwd=STUDIO, check=True, capture_output=True, timeout=120)
+    assert made.read_bytes() == BUNDLE.read_bytes(), "the bundle is another one: run `make bundle`"
+
+
+def test_the_lock_file_names_no_registry_and_every_package_by_its_hash():
+    lock = json.loads((STUDIO / "package-lock.json").read_text(encoding="utf-8"))
+    wanted = json.loads((STUDIO / "package.json").read_text(encoding="utf-8"))["devDependencies"]
+    packages = {name: one for name, one in lock["packages"].items() if name}
+    assert lock["packages"][""]["devDependencies"] == wanted, "run `npm install --package-lock-only` in studio/"
+    assert packages
+    assert not [name for name, one in packages.items() if "resolved" in one]
+    assert not [name for name, one in packages.items() if not one.get("integrity", "").startswith("sha512-")]
 
 
 def test_the_tables_in_the_bundle_are_those_of_python():

@@ -14,6 +14,7 @@ SCRIPT = """async (model) => {
     get: (key) => values[key], set: (key, value) => { values[key] = changed[key] = value; },
     save_changes: () => { window.saved.push(Object.keys(changed).sort().join()); changed = {}; },
     on: (event, act) => { heard[event] = act; }, off: (event) => { delete heard[event]; },
+    said: (content) => heard['msg:custom']?.(content),
     push: (key, value) => { values[key] = value; heard['change:' + key]?.(); },
     heard: () => Object.keys(heard).sort(),
   };
@@ -71,6 +72,6 @@ def test_a_height_dragged_to_in_the_page_is_the_kernels(page, by, height):
 
 
 def test_after_the_view_is_gone_nothing_is_heard(page):
-    assert page.evaluate("window.kernel.heard()") == ["change:height", "change:model", "change:quantity"]
+    assert page.evaluate("window.kernel.heard()") == ["change:height", "change:model", "change:quantity", "msg:custom"]
     page.evaluate("window.cleanup()")
     assert page.evaluate("window.kernel.heard()") == []

@@ -71,7 +71,8 @@ def test_the_buttons_of_light_lines_fit_their_bar(context, served, size):
     outside = bar.evaluate(
         """(bar) => { const box = bar.getBoundingClientRect(), panel = bar.closest('.panel').getBoundingClientRect();
         return [...bar.children].filter((e) => { const b = e.getBoundingClientRect();
-          return b.right > box.right + 0.5 || b.right > panel.right || b.bottom > box.bottom + 0.5 || e.scrollWidth > e.clientWidth; })
+          return b.right > box.right + 0.5 || b.right > panel.right || b.bottom > box.bottom + 0.5
+            || e.scrollWidth > e.clientWidth; })
         .map((e) => e.textContent); }"""
     )
     assert outside == []
@@ -87,7 +88,8 @@ def test_reflected_lines_do_not_turn_grey(context, served, kind):
     page.wait_for_timeout(400)
     kept(page, f"lines-{kind}")
     shades = page.evaluate(
-        f"""() => {{ const s = {STUDIO}; s.stage.draw(); const c = document.createElement('canvas'), w = s.stage.canvas.width;
+        f"""() => {{ const s = {STUDIO}; s.stage.draw();
+        const c = document.createElement('canvas'), w = s.stage.canvas.width;
         c.width = w; c.height = s.stage.canvas.height; const x = c.getContext('2d'); x.drawImage(s.stage.canvas, 0, 0);
         const d = x.getImageData(0, 0, w, c.height).data, found = [];
         for (let i = 0; i < d.length; i += 4) if (d[i + 3] > 250) found.push(d[i]); return found; }}"""

@@ -110,7 +110,7 @@ def test_a_limit_keeps_the_first(vases):
     ],
 )
 def test_a_condition_that_cannot_be_read_is_refused_in_one_line(vases, where):
-    with pytest.raises(QuintrigError, match="--where") as error:
+    with pytest.raises(QuintrigError, match="where ") as error:
         select(vases, Question(where))
     assert "on the columns scale, alpha1, gaussian_min" in str(error.value)
 

@@ -9,7 +9,7 @@ import pytest
 import quintrig
 from quintrig.analysis.extremes import find_extremes
 from quintrig.analysis.integrate import integrals
-from quintrig.geometry.envelope import inner_regression
+from quintrig.developables.regression import inner_regression
 from quintrig.sweep.part import Task, columns, summaries
 from quintrig.sweep.space import Axis, DesignSpace
 

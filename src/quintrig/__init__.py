@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from quintrig.analysis.sample import analyse as analyse
     from quintrig.analysis.stream import analyse_blocks as analyse_blocks
     from quintrig.analysis.summary import summarise as summarise
+    from quintrig.developables.regression import regression as regression
     from quintrig.developables.unroll import Sheet as Sheet
     from quintrig.developables.unroll import unroll as unroll
     from quintrig.enclosures.convex_hull import check_curve_hull as check_curve_hull
@@ -42,11 +43,11 @@ if TYPE_CHECKING:
     from quintrig.geometry.curve import Curve as Curve
     from quintrig.geometry.domain import grid as grid
     from quintrig.geometry.envelope import developable as developable
-    from quintrig.geometry.envelope import regression as regression
     from quintrig.geometry.exact import exact_surface as exact_surface
     from quintrig.geometry.surface import Surface as Surface
     from quintrig.model.model import Model as Model
     from quintrig.model.model import load as load
+    from quintrig.model.save import save as save
     from quintrig.quantities.classify import Thresholds as Thresholds
     from quintrig.support.errors import ModelError as ModelError
 
@@ -62,13 +63,15 @@ _HOME = {
     "quantities.classify": ("Thresholds",),
     "geometry.constructions": ("ruled", "swept", "swung", "symmetric", "tensor"),
     "geometry.curve": ("Curve",),
-    "geometry.envelope": ("developable", "regression"),
+    "geometry.envelope": ("developable",),
     "geometry.exact": ("exact_surface",),
+    "developables.regression": ("regression",),
     "developables.unroll": ("Sheet", "unroll"),
     "exchange.export": ("export",),
     "exchange.imports": ("open_model",),
     "support.errors": ("ModelError",),
     "model.model": ("Model", "load"),
+    "model.save": ("save",),
     "geometry.closed_forms": (
         "catenoid",
         "cone",

@@ -6,24 +6,33 @@ import { Studio } from "./app/studio";
 import { PRESETS } from "./app/state";
 import { render } from "./app/notebook";
 import { reachable, shelter } from "./app/shelter";
-import { fromDict } from "./numerics/model";
+import { renew } from "./app/renewed";
+import { connect } from "./numerics/built";
+import type { Installed } from "./numerics/kinds";
+import { fromDict, install } from "./numerics/model";
 
 export * from "./numerics/index";
+export { fromToml } from "./toml";
+export { converted } from "./edit/convert";
 
 /** The viewer of a page from disk. */
-export function embed(element: HTMLElement, data: { model: unknown; quantity?: string; place?: string }): Studio {
+export function embed(element: HTMLElement, data: { model: unknown; quantity?: string; place?: string; installed?: Installed }): Studio {
+  install(data.installed ?? {});
   const host = new PageHost("embedded", data.place ?? location.pathname);
   return reachable(element, new Studio(shelter(element), host, { model: fromDict(data.model), source: null, ...(data.quantity ? { quantity: data.quantity } : {}) }));
 }
 
 /** The live studio: asks the server that the page came from for the model. */
 export async function live(element: HTMLElement, place: string): Promise<Studio> {
+  install(JSON.parse(document.getElementById("quintrig-installed")?.textContent ?? "{}") as Installed);
   const host = new LiveHost(place);
+  let made: Studio | null = null;
+  connect((patches) => host.build(patches), () => made && renew(made.store));
   // The token is in a cookie now: keep it out of the address, the history and bookmarks.
   if (location.search) history.replaceState(null, "", location.pathname);
   const before = await lastHere(host), answer = await fetch("api/model");
   const { model, source } = before ?? (answer.ok ? opened(await answer.json()) : { model: PRESETS[0]!, source: null });
-  const studio = new Studio(shelter(element), host, { model, source });
+  const studio = (made = new Studio(shelter(element), host, { model, source }));
   // Without a model a preset is right; a model that cannot be read is told.
   if (!before && !answer.ok && answer.status !== 404) {
     const { error } = (await answer.json().catch(() => ({}))) as { error?: string };

@@ -28,7 +28,7 @@ function spell(value: unknown, indent = ""): string {
   return `[\n${value.map((item) => `${indent}    ${spell(item, `${indent}    `)},\n`).join("")}${indent}]`;
 }
 
-/** Read TOML 1.0; ModelError in one line, with the place, for what is none. */
+/** Read TOML 1.0 and 1.1; ModelError in one line, with the place, for what is none. */
 export function fromToml(text: string): Record<string, unknown> {
   try {
     // A file may begin with a byte order mark, as Python reads it.

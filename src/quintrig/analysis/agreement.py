@@ -150,6 +150,12 @@ class Agreement:
     size: float
     orientation: str
 
+    def __repr__(self) -> str:
+        """Return one line: how many points, and the share of the area of each level."""
+        agree, near, apart = (100.0 * self.share(level) for level in ("agree", "neighbouring", "conflict"))
+        points = " x ".join(map(str, self.reason.shape))
+        return f"<Agreement at {points} points: {agree:.4g} % agree, {near:.4g} % near, {apart:.4g} % conflict>"
+
     @property
     def level(self) -> IntArray:
         """Code of the level at every point: the worst of the three comparisons."""

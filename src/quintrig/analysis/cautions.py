@@ -11,7 +11,7 @@ from quintrig.analysis.sample import Sample
 from quintrig.basis.functions import Functions
 from quintrig.basis.joined import Joined
 from quintrig.basis.trigonometric import SHAPE_RANGE, Trigonometric
-from quintrig.geometry.envelope import inner_regression
+from quintrig.developables.regression import inner_regression
 from quintrig.geometry.surface import Net, Surface
 from quintrig.quantities.table import quantity
 from quintrig.support.arrays import BoolArray, FloatArray

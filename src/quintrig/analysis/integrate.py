@@ -31,8 +31,8 @@ from quintrig.analysis.quadrature import (
 )
 from quintrig.analysis.sample import Sample, analyse
 from quintrig.analysis.singular_edges import CURVATURES, limits
+from quintrig.developables.regression import inner_regression
 from quintrig.geometry.domain import grid
-from quintrig.geometry.envelope import inner_regression
 from quintrig.geometry.surface import Surface
 from quintrig.geometry.trimmed import Nodes, nodes_inside
 from quintrig.quantities.table import BY_KEY, Quantity, quantity
@@ -354,7 +354,7 @@ def _natural(row: Quantity, curvedness: float) -> float:
 
 def _scalar(key: str) -> Quantity:
     row = quantity(key)
-    if row.colour not in ("diverging", "sequential"):
-        known = ", ".join(q.key for q in BY_KEY.values() if q.colour in ("diverging", "sequential"))
+    if row.kind != "scalar":
+        known = ", ".join(q.key for q in BY_KEY.values() if q.kind == "scalar")
         raise ValueError(f"{key}: expected a scalar quantity, one of {known}")
     return row

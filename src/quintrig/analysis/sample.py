@@ -139,7 +139,7 @@ def _plane(
 ) -> NDArray[Any]:
     """Return the output of one quantity as (components, rows, columns)."""
     q = BY_KEY[key]
-    kind = np.int8 if q.colour == "classes" else np.float64
+    kind = np.int8 if q.kind == "class" else np.float64
     if out is None or key not in out:
         return aligned((q.components, rows, columns), kind)
     array = out[key]

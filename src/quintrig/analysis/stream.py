@@ -16,10 +16,8 @@ from quintrig.geometry.surface import Surface
 from quintrig.quantities.classify import Thresholds
 from quintrig.quantities.table import BY_KEY, quantity
 from quintrig.support.errors import QuintrigError
-from quintrig.support.files import require
-
-Progress = Callable[[int, int], None]
-"""Called with the rows done and the rows in all."""
+from quintrig.support.extras import need
+from quintrig.support.progress import Counted
 
 _POINTS = 2**18  # points in a block: with all quantities 100 MB, with K and H 4 MB
 _WIDEST = 2**24  # points in one row
@@ -63,14 +61,14 @@ def write_zarr(
     *,
     unit: str = "",
     thresholds: Thresholds | None = None,
-    progress: Progress | None = None,
+    progress: Counted | None = None,
 ) -> Path:
     """Write a Zarr group with an array (nu, nv) or (nu, nv, 3) for each quantity, its name and unit beside it.
 
     Arrays ``u`` (nu,) and ``v`` (nv,) hold the parameters, the group's attributes say which way the normal points. The
     folder appears whole when all is done. Raises QuintrigError where Zarr is missing or ``out`` cannot be written.
     """
-    require("zarr", "stream")
+    need("zarr", "writing Zarr")
     import zarr
 
     keys = tuple(dict.fromkeys(quantities))
@@ -88,7 +86,7 @@ def write_zarr(
                 key,
                 shape=(nu, nv, *tail),
                 chunks=(min(nu, _rows(nv)), nv, *tail),
-                dtype="int8" if q.colour == "classes" else "float64",
+                dtype="int8" if q.kind == "class" else "float64",
                 attributes={"name": q.name, "symbol": q.symbol, "unit": q.unit(unit), "classes": list(q.classes)},
             )
         for block in blocks:
@@ -110,13 +108,13 @@ def write_parquet(
     *,
     unit: str = "",
     thresholds: Thresholds | None = None,
-    progress: Progress | None = None,
+    progress: Counted | None = None,
 ) -> Path:
     """Write a Parquet file with a row a point: u, v and a column for each quantity, three for a vector.
 
     The file appears whole when all is done. Raises QuintrigError where pyarrow is missing or ``out`` cannot be written.
     """
-    require("pyarrow", "stream")
+    need("pyarrow", "writing Parquet", "stream")
     import pyarrow
     from pyarrow import parquet
 

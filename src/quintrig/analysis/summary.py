@@ -54,6 +54,13 @@ class Summary(Pickled):
     warnings: tuple[str, ...]
     notes: tuple[str, ...]
 
+    def __repr__(self) -> str:
+        """Return one line: area, ranges of K and H, and how many warnings there are."""
+        ends = ((key, self.extremes[key]) for key in ("gaussian", "mean"))
+        ranges = "; ".join(f"{key} from {one.minimum.value:.4g} to {one.maximum.value:.4g}" for key, one in ends)
+        area = f"area {self.integrals.area.value:.4g}{f' {self.unit}²' if self.unit else ''}"
+        return f"<Summary: {area}; {ranges}; {len(self.warnings)} warnings>"
+
 
 def summarise(
     surface: Surface,

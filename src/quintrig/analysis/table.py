@@ -106,7 +106,7 @@ def _within(key: str, values: NDArray[Any], inside: BoolArray) -> NDArray[Any]:
     if key == "point" or inside.all():
         return values
     kept = inside[..., None] if values.ndim > inside.ndim else inside
-    nothing: Any = 0 if BY_KEY[key].colour == "classes" else np.nan
+    nothing: Any = 0 if BY_KEY[key].kind == "class" else np.nan
     return np.where(kept, values, nothing).astype(values.dtype)
 
 
@@ -133,7 +133,7 @@ def _in_metric(keys: Iterable[str], metric: str) -> tuple[str, ...]:
 
 
 def _columns(q: Quantity, sample: Sample, unit: str) -> list[Column]:
-    if q.colour == "classes":
+    if q.kind == "class":
         codes: list[int] = sample[q.key].ravel().tolist()
         names = tuple(q.classes[code] for code in codes)
         return [Column(q.key, q.symbol, q.latex, q.name, "", names, names)]

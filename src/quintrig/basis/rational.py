@@ -132,12 +132,12 @@ def assembled(parts: Sequence[Part]) -> RationalFunctions:
     Trigonometric functions give degree 10, or 8 without shape parameters; circular ones degree 2 in spans of at most a
     right angle; Bernstein and power functions are polynomials already.
     """
-    maps = {part.tangent_map() for part in parts} - {None} or {TangentMap()}
+    found = [part.tangent_map() for part in parts]
+    maps = {one for one in found if one is not None} or {TangentMap()}
     if len(maps) > 1:
         names = " and ".join(f"{type(part).__name__.lower()} functions" for part in parts)
         raise NotRationalError(f"{names} have no common rational parameter")
     (common,) = maps
-    assert common is not None
     degree = max(1, *(part.rational_degree() for part in parts))
     coefficients = np.concatenate([part.numerators(common, degree) for part in parts], axis=-1)
     knots = clamped_knots(np.linspace(0.0, 1.0, common.spans + 1), degree, degree)

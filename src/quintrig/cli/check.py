@@ -95,7 +95,7 @@ def _facts(patch: "Patch", unit: str, summary: "Summary") -> list[tuple[str, str
     facts = [("kind", _kind(patch)), ("size", f"{_quantity(box, unit)} along x, y, z; area {area}")]
     if not unit:
         facts.append(("unit", "none stated: plain numbers"))
-    if patch.shape and not patch.definition.classical:
+    if patch.definition.acting:
         names = ("α1", "ζ1", "α2", "ζ2") if len(patch.shape) == 4 else ("α", "ζ")
         facts.append(("shape", ", ".join(f"{n} = {value:g}" for n, value in zip(names, patch.shape, strict=True))))
     facts.append(("normal", _normal(patch, summary)))
@@ -123,11 +123,12 @@ def _normal(patch: "Patch", summary: "Summary") -> str:
 def _range(key: str, unit: str, summary: "Summary") -> str:
     from quintrig.exchange.tables import shown
     from quintrig.quantities.table import quantity
+    from quintrig.support.tolerance import typical_rounding
 
     row, found = quantity(key), summary.extremes[key]
     if found.minimum.status == "undefined":
         return f"{row.symbol} undefined everywhere"
-    rounding = 1e-12 * summary.extremes["curvedness"].mean.value ** -row.power
+    rounding = typical_rounding(summary.extremes["curvedness"].mean.value, row.power)
     low, high = (_end(end, limit, rounding) for end, limit in ((found.minimum, -math.inf), (found.maximum, math.inf)))
     span = f"{row.symbol} from {shown(low, 4)} to {shown(high, 4)}" if low < high else f"{row.symbol} = {shown(low, 4)}"
     return _quantity(span, row.unit(unit))

@@ -10,6 +10,7 @@ from types import FrameType
 
 import typer
 
+from quintrig.cli.remedies import worded
 from quintrig.support.errors import ModelError, QuintrigError, printable
 
 FOUND, MISTAKE, FAULT, INTERRUPTED = 1, 2, 70, 130
@@ -82,7 +83,7 @@ def _tell(error: Exception) -> int:
         text = str(usage()).rstrip(".")
         return say(f"{text}{_see_help(error)}", MISTAKE) if text else MISTAKE
     if isinstance(error, (ModelError, QuintrigError)) or (isinstance(error, ValueError) and _is_ours(error)):
-        return say(str(error), MISTAKE)
+        return say(worded(error), MISTAKE)
     if isinstance(error, OSError):
         place = f"{error.filename}: " if error.filename else ""
         return say(f"{place}{error.strerror or error}; check the path, the permissions and the free space", MISTAKE)

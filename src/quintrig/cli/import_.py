@@ -129,13 +129,15 @@ def _points(file: Path, face: list[int] | None, curve: int | None, shape: str, r
     from quintrig.exchange.cad.faces import pick_curve, to_model
     from quintrig.exchange.imports import CAD_SUFFIXES, contents
     from quintrig.exchange.nets import polygon, read_points
+    from quintrig.support.errors import QuintrigError
 
     if file.suffix.lower() not in CAD_SUFFIXES:
         return read_points(file)
     found = contents(file)
     if curve is None:
         net = to_model(found, str(file), face).surface.net
-        assert net is not None
+        if net is None:
+            raise QuintrigError(f"{file}: expected a face with control points; choose another face")
         return net
     chosen = pick_curve(found, str(file), curve)
     if raw:

@@ -41,7 +41,7 @@ def new(
     """
     from quintrig.model.starter import starter
 
-    text = starter(kind)
+    text = starter(kind, "Check it with: quintrig check FILE.toml")
     target = output or Path(f"{kind}.toml")
     if target.suffix.lower() != ".toml" and str(target) != "-":
         raise ValueError(f"{target}: expected a name ending in .toml")

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import typer
 
 from quintrig.cli.ending import MISTAKE, say
+from quintrig.cli.remedies import worded
 from quintrig.support.errors import printable
 
 if TYPE_CHECKING:
@@ -115,7 +116,7 @@ def complain(message: str) -> None:
 
 def remark(line: str) -> None:
     """Tell something about the result, on stderr."""
-    sys.stderr.write(f"{printable(line)}\n")
+    sys.stderr.write(f"{printable(worded(line))}\n")
 
 
 def told(result: "Written") -> None:

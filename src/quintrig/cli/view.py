@@ -9,6 +9,7 @@ import typer
 
 from quintrig.cli import session
 from quintrig.support.errors import QuintrigError
+from quintrig.support.extras import missing
 
 _EPILOG = session.examples(
     ("quintrig view lid.toml", "opens the model in the browser, to look at and to shape"),
@@ -48,7 +49,7 @@ def view(
     try:
         from quintrig.studio import server
     except ModuleNotFoundError as error:
-        raise QuintrigError(f"view needs {error.name}: pip install 'quintrig[studio]'") from None
+        raise missing("the studio", str(error.name), "studio") from None
     where = server.site(model, host, port)
     session.emit(f"Studio: {where.address}")
     session.emit("Stop it with Ctrl-C.")

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from quintrig.developables.regression import locate
 from quintrig.geometry.surface import Surface
 from quintrig.support.arrays import BoolArray, FloatArray
 from quintrig.support.tolerance import rounding
@@ -25,7 +26,8 @@ class Frame:
 
     ``length`` of the ruling; ``along`` and ``across`` (2, n), the boundaries' speeds along and across the ruling;
     ``turning`` of the ruling in the tangent plane; ``bend`` of the normal; ``upward`` where it bends towards the
-    normal; ``speed`` (2, n) of the boundaries; ``area`` swept.
+    normal; ``speed`` (2, n) of the boundaries; ``area`` swept; ``areas`` (2, n, 3), the product of the
+    boundaries' velocities and the ruling.
     """
 
     length: FloatArray
@@ -36,6 +38,7 @@ class Frame:
     upward: BoolArray
     speed: FloatArray
     area: FloatArray
+    areas: FloatArray
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,6 +85,7 @@ class Rulings:
             upward,
             _norm(moved),
             _swept(moved, ruling),
+            _cross(moved, ruling),
         )
 
 
@@ -154,38 +158,20 @@ def _breaks(surface: Surface, along: str) -> FloatArray:
 
 def _refuse_regression(strip: Rulings, t: FloatArray) -> None:
     """Raise ValueError where the boundaries move to opposite sides of a ruling: between them the surface turns back."""
-    inner = t[1:-1]
-    bad = np.flatnonzero(_inside(strip, inner))
-    if not len(bad):
+
+    def areas(t: FloatArray) -> tuple[FloatArray, FloatArray]:
+        first, second = strip.at(t).areas
+        return first, second
+
+    # At an end the strip may stand still, and rounding would tell the direction.
+    found = locate(areas, t[1:-1], _TOUCHING).intervals
+    if not found:
         return
-    runs = np.split(bad, np.flatnonzero(np.diff(bad) > 1) + 1)
-    spans: list[str] = []
-    last = len(inner) - 1
-    for run in runs[:4]:
-        first, final = int(run[0]), int(run[-1])
-        low = inner[0] if first == 0 else _bisected(strip, float(inner[first - 1]), float(inner[first]))
-        high = inner[-1] if final == last else _bisected(strip, float(inner[final + 1]), float(inner[final]))
-        spans.append(f"{low:.6g} to {high:.6g}")
+    spans = ", ".join(f"{low:.6g} to {high:.6g}" for low, high in found[:4])
     raise ValueError(
-        f"the edge of regression lies inside the strip for {strip.along} = {', '.join(spans)}: there the sheet would "
+        f"the edge of regression lies inside the strip for {strip.along} = {spans}: there the sheet would "
         "fold back through itself; move a bounding plane or boundary to one side of that edge, or use a thinner sheet"
     )
-
-
-def _inside(strip: Rulings, t: FloatArray) -> BoolArray:
-    first, second = strip.at(t).across
-    largest = np.maximum(np.abs(first), np.abs(second))
-    return np.asarray(first * second < -_TOUCHING * largest * largest)
-
-
-def _bisected(strip: Rulings, outside: float, inside: float) -> float:
-    for _ in range(40):
-        middle = 0.5 * (outside + inside)
-        if _inside(strip, np.array([middle]))[0]:
-            inside = middle
-        else:
-            outside = middle
-    return inside
 
 
 def _cross(x: FloatArray, y: FloatArray) -> FloatArray:

@@ -16,8 +16,9 @@ from quintrig.geometry.curve import Curve
 from quintrig.geometry.domain import grid
 from quintrig.geometry.surface import Surface
 from quintrig.support.arrays import FloatArray, frozen
+from quintrig.support.tolerance import NOISE
 
-ROUNDING = 1e-12
+ROUNDING = NOISE
 """A point this share of the control points' extent outside the hull, or less, counts as inside."""
 
 

@@ -6,6 +6,7 @@ from pathlib import Path
 from quintrig.exchange import nets
 from quintrig.exchange.cad import save as cad
 from quintrig.exchange.cad.save import CadOptions, export_cad
+from quintrig.exchange.formats import suffixes
 from quintrig.exchange.mesh import write as meshes
 from quintrig.exchange.mesh.write import MeshOptions, export_mesh
 from quintrig.exchange.nets import export_net, net_paths
@@ -58,7 +59,7 @@ def export(model: Model, path: str | Path, options: ExportOptions | None = None)
         paths = export_net(model, path)
         several = (f"{len(paths)} nets of points, a file for each",) if len(paths) > 1 else ()
         return Written(paths, several, replaced)
-    hint = (
-        "; quintrig flatten writes flat patterns" if suffix in (".dxf", ".svg", ".pdf") else nearest(suffix, SUFFIXES)
-    )
-    raise QuintrigError(f"{path}: expected a file ending in {', '.join(SUFFIXES)}{hint}")
+    expected = f"{path}: expected a file ending in {', '.join(SUFFIXES)}"
+    if suffix in suffixes("pattern"):
+        raise QuintrigError(expected, remedy="export_pattern writes flat patterns", key="pattern")
+    raise QuintrigError(f"{expected}{nearest(suffix, SUFFIXES)}")

@@ -1,6 +1,5 @@
 """Control nets as CSV and JSON, out of models and into them, and curves of CAD files as control polygons."""
 
-import json
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, cast
@@ -14,7 +13,7 @@ from quintrig.exchange.cad.faces import SpaceCurve
 from quintrig.exchange.formats import suffixes
 from quintrig.model.kinds.registry import kinds
 from quintrig.model.model import Model, in_rows, read_net, read_text
-from quintrig.model.toml import to_toml
+from quintrig.model.save import save
 from quintrig.support.arrays import FloatArray, frozen
 from quintrig.support.errors import ModelError, QuintrigError, nearest, printable
 from quintrig.support.files import write_whole
@@ -30,11 +29,8 @@ def export_net(model: Model, path: Path) -> tuple[Path, ...]:
     A CSV has one point a line, row by row, as models read it; a patch with several nets gives one file for each, and
     so do several patches. Raises QuintrigError for a model without control points and an unwritable target.
     """
-    suffix = path.suffix.lower()
-    if suffix == ".json":
-        return (write_whole(path, json.dumps(model.to_dict(), ensure_ascii=False, indent=1) + "\n"),)
-    if suffix == ".toml":
-        return (write_whole(path, to_toml(model.to_dict())),)
+    if path.suffix.lower() != ".csv":
+        return (save(model, path),)
     nets = {
         (patch.name, key): getattr(patch.definition, key) for patch in model.patches for key in _keys(patch.definition)
     }
@@ -120,17 +116,16 @@ def polygon(curve: SpaceCurve, shape: Sequence[float] = (0.0, 0.0)) -> tuple[Flo
     basis = Trigonometric(alpha, zeta)
     x: FloatArray = np.linspace(0.0, 1.0, 401)
     target = _curve_points(curve, x)
-    best: tuple[FloatArray, float] | None = None
+    tried: list[tuple[float, FloatArray]] = []
     for t in (x, RIGHT_ANGLE.backward(x)):
         matrix = basis.derivatives(t, 0)[0]
         ends = np.outer(matrix[:, 0], target[0]) + np.outer(matrix[:, 5], target[-1])
         inner = cast(FloatArray, np.linalg.lstsq(matrix[:, 1:5], target - ends, rcond=None)[0])
         points: FloatArray = np.concatenate([target[:1], inner, target[-1:]])
         gap = float(np.sqrt(((matrix @ points - target) ** 2).sum(axis=1)).max())
-        if best is None or gap < best[1]:
-            best = points, gap
-    assert best is not None
-    return best
+        tried.append((gap, points))
+    gap, points = min(tried, key=lambda one: one[0])
+    return points, gap
 
 
 def _from_json(path: Path) -> Any:
@@ -162,8 +157,6 @@ def _curve_points(curve: SpaceCurve, x: FloatArray) -> FloatArray:
 
 def _keys(definition: Any) -> tuple[str, ...]:
     """Return the keys of a patch that hold control points."""
-    if definition is None:
-        return ()
     return ("points",) if definition.kind == "nurbs" else tuple(definition.nets)
 
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from quintrig.geometry.envelope import inner_regression
+from quintrig.developables.regression import inner_regression
 from quintrig.geometry.surface import Surface
 from quintrig.support.arrays import FloatArray
 

@@ -39,12 +39,12 @@ class Field:
     @property
     def undefined(self) -> NDArray[np.bool_]:
         """True where the value is NaN or infinite, or the class is code 0."""
-        undefined = self.values == 0 if self.quantity.colour == "classes" else ~np.isfinite(self.values)
+        undefined = self.values == 0 if self.quantity.kind == "class" else ~np.isfinite(self.values)
         return undefined & self.inside
 
     def colours(self, stretch: Limits | None) -> FloatArray:
         """Return RGB colours, shape (n, m, 3), of a real quantity between the limits, its own where None."""
-        if self.quantity.colour == "classes":
+        if self.quantity.kind == "class":
             return class_colours(self.values, self.quantity.key) if self.shades is None else self.shades
         stretch = stretch or limits(self.values, self.quantity, self.scale)
         return real_colours(self.values, self.quantity, stretch)
@@ -53,7 +53,7 @@ class Field:
 def field(surface: Surface, key: str, u: FloatArray, v: FloatArray, thresholds: Thresholds | None = None) -> Field:
     """Compute a quantity on the grid u (n,) x v (m,), none outside a face; ValueError for a key that has no colour."""
     q = quantity(key)
-    if q.colour == "vector":
+    if q.kind == "vector":
         raise ValueError(f"{key}: a vector cannot be drawn as a colour; choose a number or a class")
     sample = analyse(surface, u[:, None], v[None, :], tuple(dict.fromkeys((key, "curvedness"))), thresholds=thresholds)
     scale = natural_scale(sample, q)
@@ -61,7 +61,7 @@ def field(surface: Surface, key: str, u: FloatArray, v: FloatArray, thresholds: 
     if q.power < 0:  # rounding grows with the curvature, as near an edge of regression
         noise = np.fmax(noise, sample["curvedness"] ** -q.power)
     inside = np.broadcast_to(surface.inside(sample.u, sample.v), sample.shape)
-    values = np.where(inside, sample[key], 0 if q.colour == "classes" else np.nan).astype(sample[key].dtype)
+    values = np.where(inside, sample[key], 0 if q.kind == "class" else np.nan).astype(sample[key].dtype)
     return Field(q, u, v, values, scale, SAME_COLOUR * noise, inside)
 
 
@@ -86,9 +86,9 @@ def facet_fields(
         inner = field(surface, key, 0.5 * (u[:-1] + u[1:]), 0.5 * (v[:-1] + v[1:]), thresholds)
         corner = field(surface, key, u, v, thresholds).undefined
         bad = corner[:-1, :-1] | corner[1:, :-1] | corner[1:, 1:] | corner[:-1, 1:]
-        nothing = 0 if inner.quantity.colour == "classes" else np.nan
+        nothing = 0 if inner.quantity.kind == "class" else np.nan
         values = np.where(bad, nothing, inner.values).astype(inner.values.dtype)
-        shades = _shades(surface, inner, bad, thresholds) if inner.quantity.colour == "classes" else None
+        shades = _shades(surface, inner, bad, thresholds) if inner.quantity.kind == "class" else None
         found.append(Field(inner.quantity, inner.u, inner.v, values, inner.scale, inner.noise, inner.inside, shades))
     return found
 
@@ -125,7 +125,7 @@ def common_limits(fields: Sequence[Field], style: Style = STANDARD) -> Limits | 
 
     The ends are those that the style asks for, or such that a few extreme values do not spoil them.
     """
-    if not fields or fields[0].quantity.colour == "classes":
+    if not fields or fields[0].quantity.kind == "class":
         return None
     values = np.concatenate([f.values.reshape(-1) for f in fields])
     finite = values[np.isfinite(values)]

@@ -69,14 +69,14 @@ def draw_class_list(area: Area, title: str, names: Sequence[str], colours: Seque
 
 def key_width(fields: Sequence[Field]) -> float:
     """Return the width in inches that an upright key needs; 0 for no key."""
-    return 0.0 if not fields else 1.45 if fields[0].quantity.colour == "classes" else 0.95
+    return 0.0 if not fields else 1.45 if fields[0].quantity.kind == "class" else 0.95
 
 
 def key_height(every: Sequence[Sequence[Field]], width: float) -> float:
     """Return the height in inches that level keys of this width need, the tallest of several."""
     heights = [0.0]
     for fields in every:
-        if fields and fields[0].quantity.colour == "classes":
+        if fields and fields[0].quantity.kind == "class":
             heights.append(list_height(class_rows(fields)[0], width))
         elif fields:
             heights.append(0.62 if fields[0].quantity.key == "shape_index" else 0.5)

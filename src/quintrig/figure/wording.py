@@ -63,7 +63,7 @@ def with_unit(name: str, unit: str, power: int = 0) -> str:
 def quantity_label(q: Quantity, unit: str = "", power: int = 0) -> str:
     """Return name, symbol and unit, such as ``Gaussian curvature K (1/mm²)``; ``unit`` is that of length."""
     name = q.name[0].upper() + q.name[1:]
-    return with_unit(name if q.colour == "classes" else f"{name} ${q.latex}$", q.unit(unit), power)
+    return with_unit(name if q.kind == "class" else f"{name} ${q.latex}$", q.unit(unit), power)
 
 
 def normal_note(surface: Surface) -> str:
@@ -109,7 +109,7 @@ def note(
         total = sum(f.values.size for f in fields)
         share = f"{100.0 * grey / total:.3g} % of the cells" if grey > 1e-3 * total else f"{grey} of {total} cells"
         parts.append(f"grey: undefined ({share})")
-    if any(f.quantity.colour == "classes" for f in fields):
+    if any(f.quantity.kind == "class" for f in fields):
         t = thresholds or Thresholds()
         parts.append(f"zero means within {_small(t.relative)} of the curvedness, flat within {_small(t.flat)} / size")
     if zeros and (

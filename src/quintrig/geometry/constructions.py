@@ -29,7 +29,7 @@ class Options(TypedDict):
     unchecked_shape: bool
 
 
-_SHAPE_NAMES = ("alpha1", "zeta1", "alpha2", "zeta2")
+SHAPE_NAMES = ("alpha1", "zeta1", "alpha2", "zeta2")
 
 
 def tensor(
@@ -175,7 +175,7 @@ def _shape(shape: Shape, unchecked: bool) -> tuple[float, float, float, float]:
     values = frozen(shape, "shape", (4,))
     a1, z1, a2, z2 = (
         shape_parameter(float(value), f"shape[{i}] ({name})", unchecked)
-        for i, (name, value) in enumerate(zip(_SHAPE_NAMES, values, strict=True))
+        for i, (name, value) in enumerate(zip(SHAPE_NAMES, values, strict=True))
     )
     return a1, z1, a2, z2
 

@@ -45,6 +45,12 @@ class Curve(Pickled):
         object.__setattr__(self, "unchecked_shape", unchecked_shape)
         _ = self.functions
 
+    def __repr__(self) -> str:
+        """Return one line: points and basis."""
+        count, dimension = self.points.shape
+        shape = f", alpha {self.alpha:g}, zeta {self.zeta:g}" if self.basis == "trigonometric" else ""
+        return f"<Curve of {count} points in {dimension}D: {self.basis}{shape}>"
+
     @property
     def functions(self) -> Functions:
         """The basis functions f_i."""

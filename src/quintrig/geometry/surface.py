@@ -49,6 +49,12 @@ class Net(Pickled):
         """Keep a copy of points that might change."""
         object.__setattr__(self, "points", locked(self.points))
 
+    def __repr__(self) -> str:
+        """Return one line: points and functions."""
+        count, rows, dimension = self.points.shape
+        kind = "homogeneous points" if dimension == 4 else "points"
+        return f"<Net of {count} x {rows} {kind}: {_called(self.functions)}>"
+
     @property
     def size(self) -> int:
         """Number of rows."""
@@ -77,6 +83,15 @@ LARGEST_SIZE = 1e30
 
 SMALLEST_SIZE = 1.0 / LARGEST_SIZE
 """Smallest size of a surface that is no point: those products must not underflow either."""
+
+STEPS_FOR_SIZE = 17
+"""Parameters each way at which the size of a surface is taken."""
+
+FAR_OFF = 1e6
+"""Of the middle distance: points farther from the middle point lie as good as at infinity."""
+
+SAME_POINT = 32 * np.finfo(np.float64).eps
+"""Of the largest coordinate: what is left of a single point after rounding is no size."""
 
 _SIZES = f"a surface from {SMALLEST_SIZE:g} to {LARGEST_SIZE:g} across, or a single point"
 _REMEDY = "take another unit of length or other numbers"
@@ -195,7 +210,7 @@ class Surface(Pickled):
         Points that lie as good as at infinity, as where a ruling of a strip runs along a bounding plane, are left out.
         Raises ValueError where it is not in the range in which products of many lengths neither over- nor underflow.
         """
-        t = np.linspace(0.0, 1.0, 17)
+        t = np.linspace(0.0, 1.0, STEPS_FOR_SIZE)
         with np.errstate(over="ignore", invalid="ignore"):  # what that leaves is refused below
             points = self.local_partials(t[:, None], t[None, :], 0)[0, 0].reshape(-1, 3)
         finite = np.isfinite(points).all(axis=-1)
@@ -206,13 +221,12 @@ class Surface(Pickled):
             return 0.0
         if not isinstance(self.rows, Net):
             away = np.abs(points - _middle(points)).max(axis=-1)
-            points = points[away <= (1e6 * _middle(away) or np.inf)]
+            points = points[away <= (FAR_OFF * _middle(away) or np.inf)]
         diagonal = math.hypot(*(points.max(axis=0) - points.min(axis=0)).tolist())
         if diagonal > LARGEST_SIZE or 0.0 < diagonal < SMALLEST_SIZE:
             raise ValueError(f"size: expected {_SIZES}, found {diagonal:.3g}; {_REMEDY}")
-        # What is left of a single point after rounding is no size.
         reach = np.abs(points + self.origin).max()
-        return diagonal if diagonal > 32 * np.finfo(np.float64).eps * reach else 0.0
+        return diagonal if diagonal > SAME_POINT * reach else 0.0
 
 
 def _with_one(functions: FloatArray) -> FloatArray:

@@ -206,7 +206,7 @@ def _outputs(planes: Planes, at: Settings) -> _Outputs:
     floats: Addresses = np.zeros(FLOAT_PLANES, np.int64)
     codes: Addresses = np.zeros(CODE_PLANES, np.int64)
     for key, array in planes.items():
-        to, slot = (codes, CODE_SLOTS[key]) if BY_KEY[key].colour == "classes" else (floats, FLOAT_SLOTS[key])
+        to, slot = (codes, CODE_SLOTS[key]) if BY_KEY[key].kind == "class" else (floats, FLOAT_SLOTS[key])
         for x, plane in enumerate(array):
             to[slot + x] = plane.__array_interface__["data"][0]
     need, settings = needs(planes), np.array(at, np.float64)

@@ -21,7 +21,8 @@ from quintrig.quantities import classify, curvature, invariants
 from quintrig.quantities.curvature import Three
 from quintrig.quantities.table import QUANTITIES
 from quintrig.support.arrays import FloatArray
-from quintrig.support.compiled import BLOCK, address, codes_at, floats_at, loop, scalar, words_at
+from quintrig.support.compiled import BLOCK, codes_at, floats_at, loop, scalar, words_at
+from quintrig.support.numba_inside import address
 
 Addresses = NDArray[np.int64]
 """Where each plane starts, 0 for one that nobody asked for."""
@@ -43,7 +44,7 @@ def _slots() -> tuple[dict[str, int], dict[str, int]]:
     codes: dict[str, int] = {}
     used = 0
     for q in QUANTITIES:
-        if q.colour == "classes":
+        if q.kind == "class":
             codes[q.key] = len(codes)
         else:
             floats[q.key] = used
@@ -54,7 +55,7 @@ def _slots() -> tuple[dict[str, int], dict[str, int]]:
 FLOAT_SLOTS, CODE_SLOTS = _slots()
 """Index of the first plane of each real quantity, and of the plane of each classification."""
 
-FLOAT_PLANES = sum(q.components for q in QUANTITIES if q.colour != "classes")
+FLOAT_PLANES = sum(q.components for q in QUANTITIES if q.kind != "class")
 CODE_PLANES = len(CODE_SLOTS)
 
 
@@ -63,7 +64,8 @@ def _run(*keys: str) -> int:
     order = list(FLOAT_SLOTS)
     start = order.index(keys[0])
     found = order[start : start + len(keys)]
-    assert found == list(keys), f"quantities: expected {', '.join(keys)} one after the other, found {', '.join(found)}"
+    if found != list(keys):
+        raise RuntimeError(f"QUANTITIES: expected {', '.join(keys)} one after the other, found {', '.join(found)}")
     return FLOAT_SLOTS[keys[0]]
 
 

@@ -18,7 +18,7 @@ from quintrig.mesh.cuts import Cut, cut_by_tolerance, gap
 from quintrig.multipatch.edges import Link, links
 from quintrig.quantities.table import BY_KEY
 from quintrig.support.arrays import FloatArray
-from quintrig.support.tolerance import rounding
+from quintrig.support.tolerance import NOISE, rounding
 
 MOST_POINTS = 4_000_000
 """Points of the largest mesh."""
@@ -93,7 +93,7 @@ def _assembled(surfaces: Sequence[Surface], cuts: Sequence[Cut], found: Sequence
     points, normals = np.empty((total, 3)), np.empty((total, 3))
     u, v = np.empty(total), np.empty(total)
     patch = np.empty(total, dtype=np.int64)
-    kinds = {key: np.int8 if BY_KEY[key].colour == "classes" else np.float64 for key in keys}
+    kinds = {key: np.int8 if BY_KEY[key].kind == "class" else np.float64 for key in keys}
     values: dict[str, NDArray[Any]] = {key: np.empty(total, dtype=kind) for key, kind in kinds.items()}
     triangles: list[Triangles] = []
     chord, notes = 0.0, list[str]()
@@ -152,7 +152,7 @@ def _same_points(
     for k, surface in enumerate(surfaces):
         for side in range(4):
             line = _edge(cuts, starts, k, side)
-            if np.ptp(points[line], axis=0).max() <= 1e-12 * surface.size + rounding(points[line]):
+            if np.ptp(points[line], axis=0).max() <= NOISE * surface.size + rounding(points[line]):
                 pairs.append((np.full_like(line, line[0]), line))
     return pairs
 

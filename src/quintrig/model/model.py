@@ -10,6 +10,7 @@ from pydantic import ValidationError
 from quintrig.geometry.surface import Surface
 from quintrig.model.explain import HEADER, explain, spell
 from quintrig.model.kinds.definition import Definition
+from quintrig.model.kinds.recognise import Bare, recognised
 from quintrig.model.kinds.registry import kinds
 from quintrig.support.csv_rows import rows_of
 from quintrig.support.display import mime_bundle
@@ -34,11 +35,24 @@ _UNIT_NAMES = {
 
 @dataclass(frozen=True, eq=False)
 class Patch:
-    """One surface of a model: its name, what the file said of it, and the surface built from that."""
+    """One surface of a model: its name, what the file said of it, and the surface built from that.
+
+    Given None for the definition of a surface that no file holds, it has that of ``Patch.of``.
+    """
 
     name: str
     definition: Definition
     surface: Surface
+
+    def __post_init__(self) -> None:
+        """See to it that there is a definition."""
+        if not isinstance(self.definition, Definition):  # pyright: ignore[reportUnnecessaryIsInstance]
+            object.__setattr__(self, "definition", recognised(self.surface))
+
+    @staticmethod
+    def of(surface: Surface, name: str = "surface") -> "Patch":
+        """Return a patch of a surface, by the first kind that would build it, or ``Bare`` where none would."""
+        return Patch(name, recognised(surface), surface)
 
     def __repr__(self) -> str:
         """Return one line: name, kind and shape parameters."""
@@ -108,8 +122,9 @@ class Model:
             return self.patches[0]
         if name is None:
             raise ModelError(
-                f"model {self.name!r} has {len(known)} patches ({', '.join(known)}): choose one by its name "
-                "(--patch NAME)"
+                f"model {self.name!r} has {len(known)} patches ({', '.join(known)}): choose one by its name",
+                remedy="(model.patch(name))",
+                key="patch",
             )
         if name not in known:
             raise ModelError(
@@ -150,7 +165,16 @@ class Model:
         return Model(name or patches[0].name, unit, patches)
 
     def to_dict(self) -> dict[str, Any]:
-        """Return the keys of a model file that gives this model back; keys at their default are left out."""
+        """Return the keys of a model file that gives this model back; keys at their default are left out.
+
+        Raises ModelError for a surface made in Python that no kind of model would build.
+        """
+        for patch in self.patches:
+            if isinstance(patch.definition, Bare):
+                raise ModelError(
+                    f'patch "{patch.name}": a surface made in Python of rows that no kind of model has cannot be '
+                    "written as a model; export it as a mesh, or make a model near it"
+                )
         header: dict[str, Any] = {"schema": SCHEMA_VERSION, "name": self.name}
         if self.unit:
             header["unit"] = self.unit
@@ -176,7 +200,7 @@ def load(path: str | Path) -> Model:
         raise ModelError(f"{path}: expected a file ending in .toml or .json")
     text = read_text(path)
     if not text.strip():
-        raise ModelError(f"{path}: the file is empty; expected a model, such as 'quintrig new swept' writes")
+        raise ModelError(f"{path}: the file is empty; expected a model", remedy="quintrig.save writes one", key="new")
     try:
         return Model.from_dict(parse(text, path.suffix.lower()), path.parent)
     except ModelError as error:

@@ -1,28 +1,28 @@
-"""Commented starter models, one for every kind: ``quintrig new KIND``.
+"""Commented starter models, one for every kind.
 
 The comments are the descriptions of the keys in ``definition``, so that there is one place that says what a key means.
 """
 
-import json
 import textwrap
-from typing import Any, cast
+from typing import Any
 
 from quintrig.model.kinds.definition import Definition
 from quintrig.model.kinds.registry import kinds
 from quintrig.model.model import SCHEMA_VERSION, UNITS
+from quintrig.model.toml import spell
 from quintrig.support.errors import nearest
 
 _WIDTH = 100
 
 
-def starter(kind: str) -> str:
-    """Return a valid, commented TOML model of this kind; ValueError with the nearest known kind."""
+def starter(kind: str, remark: str = "") -> str:
+    """Return a valid, commented TOML model of this kind, with a remark on top; ValueError with the nearest kind."""
     if kind not in kinds():
         raise ValueError(f"kind: expected one of {', '.join(kinds())}, got {kind!r}{nearest(kind, kinds())}")
     form = kinds()[kind]
     values = form.starter
     lines = [
-        *_comment(f"{_first_line(form)} Check it with: quintrig check FILE.toml"),
+        *_comment(f"{_first_line(form)} {remark}"),
         "",
         f"schema = {SCHEMA_VERSION}",
         f'name = "My {kind.replace("_", " ")}{" surface" if form.nets else ""}"',
@@ -36,11 +36,11 @@ def starter(kind: str) -> str:
             continue
         lines += ["", *_comment(f"{field.description}.")]
         if key in values or field.is_required():
-            lines.append(f"{key} = {_toml(values[key])}")
+            lines.append(f"{key} = {spell(values[key])}")
         elif key == "shape":
-            lines.append(f"{key} = {_toml(field.default)}")
+            lines.append(f"{key} = {spell(field.default)}")
         else:  # an option at its default: there to be switched on
-            lines.append(f"# {key} = {_toml(field.default)}" if field.default is not None else f"# {key} = ...")
+            lines.append(f"# {key} = {spell(field.default)}" if field.default is not None else f"# {key} = ...")
     return "\n".join(lines) + "\n"
 
 
@@ -57,22 +57,3 @@ def _first_line(form: type[Definition]) -> str:
 
 def _comment(text: str) -> list[str]:
     return [f"# {line}" for line in textwrap.wrap(text, _WIDTH)]
-
-
-def _toml(value: Any) -> str:
-    """Return a value as TOML; the points of a net with one row a line."""
-    if isinstance(value, list) and _depth(value) > 1:
-        return "[\n" + "".join(f"    {_inline(row)},\n" for row in cast(list[Any], value)) + "]"
-    return _inline(value)
-
-
-def _inline(value: Any) -> str:
-    if isinstance(value, list):
-        return "[" + ", ".join(_inline(item) for item in cast(list[Any], value)) + "]"
-    if isinstance(value, float) and value.is_integer():
-        return str(int(value))
-    return json.dumps(value)
-
-
-def _depth(value: Any) -> int:
-    return 1 + max(map(_depth, cast(list[Any], value)), default=0) if isinstance(value, list) else 0

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from quintrig.support.arrays import number
 from quintrig.support.compiled import scalar
+from quintrig.support.tolerance import NOISE
 
 POINT_TYPES = ("undefined", "elliptic", "hyperbolic", "parabolic", "planar", "umbilic")
 """Index is the code. An umbilic is an elliptic point with κ1 = κ2 (do Carmo 1976, §3.2)."""
@@ -40,6 +41,9 @@ SHAPE_CLASSES = (
 )
 """Index is the code: Koenderink's nine from S = -1 to S = +1, breaks at ±7/8, ±5/8, ±3/8, ±1/8; 10 where flat."""
 
+SHAPE_BREAKS = (0.125, 0.375, 0.625, 0.875)
+"""Where |S| passes from one of Koenderink's classes to the next; a break belongs to the class nearer to S = 0."""
+
 INVARIANT_TYPES = (
     "undefined",
     "dome",
@@ -55,7 +59,7 @@ INVARIANT_TYPES = (
 """What the signs of β1 and β2 say of the height field, numbered like Besl's types (β1 for H, β2 for K)."""
 
 
-LEAST_THRESHOLD = 1e-12
+LEAST_THRESHOLD = NOISE
 """Below this, rounding decides: a plane would get shapes."""
 
 
@@ -116,7 +120,8 @@ def point_type(code: int, gaussian: float, radius: float, curvedness: float, rel
 @scalar
 def shape_class(index: float, code: int) -> int:
     """Return Koenderink's class of a shape index; 10 where Besl's number says flat, 0 where undefined."""
-    result = 1 + (index >= -0.875) + (index >= -0.625) + (index >= -0.375) + (index >= -0.125)
-    result = result + (index > 0.125) + (index > 0.375) + (index > 0.625) + (index > 0.875)
+    first, second, third, fourth = SHAPE_BREAKS
+    result = 1 + (index >= -fourth) + (index >= -third) + (index >= -second) + (index >= -first)
+    result = result + (index > first) + (index > second) + (index > third) + (index > fourth)
     result = 10 if code == 5 else result
     return 0 if code == 0 else result

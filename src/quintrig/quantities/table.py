@@ -9,6 +9,9 @@ from quintrig.support.errors import nearest
 Parity = Literal["even", "odd", "swap", "mirror"]
 """What turning the normal does: nothing, a new sign, exchange with ``partner`` (κ1 ↔ -κ2), the mirrored class."""
 
+Kind = Literal["scalar", "vector", "class"]
+"""What is at a point: a number, three of them, or the code of a class."""
+
 Colour = Literal["diverging", "sequential", "classes", "vector"]
 
 
@@ -27,11 +30,12 @@ class Quantity:
     colour: Colour
     partner: str = ""
     classes: tuple[str, ...] = ()
+    kind: Kind = "scalar"
 
     @property
     def components(self) -> int:
         """3 for a vector, else 1."""
-        return 3 if self.colour == "vector" else 1
+        return 3 if self.kind == "vector" else 1
 
     def unit(self, length: str) -> str:
         """Return the unit in text, such as ``1/mm²``; empty for a pure number or where the model has no unit."""
@@ -96,8 +100,21 @@ def _invariants(suffix: str, mark: str, metric: str) -> tuple[Quantity, ...]:
 
 
 QUANTITIES: tuple[Quantity, ...] = (
-    Quantity("point", "S(u, v)", r"\mathbf{S}(u,v)", "point", "position", "thesis eq. 3.1", 1, "even", "vector"),
-    Quantity("normal", "n", r"\mathbf{n}", "unit normal", "S_u × S_v, normalised", _CARMO, 0, "odd", "vector"),
+    Quantity(
+        "point",
+        "S(u, v)",
+        r"\mathbf{S}(u,v)",
+        "point",
+        "position",
+        "thesis eq. 3.1",
+        1,
+        "even",
+        "vector",
+        kind="vector",
+    ),
+    Quantity(
+        "normal", "n", r"\mathbf{n}", "unit normal", "S_u × S_v, normalised", _CARMO, 0, "odd", "vector", kind="vector"
+    ),
     Quantity("E", "E", "E", "first form E", "S_u · S_u", _CARMO, 2, "even", "sequential"),
     Quantity("F", "F", "F", "first form F", "S_u · S_v", _CARMO, 2, "even", "diverging"),
     Quantity("G", "G", "G", "first form G", "S_v · S_v", _CARMO, 2, "even", "sequential"),
@@ -142,6 +159,7 @@ QUANTITIES: tuple[Quantity, ...] = (
         0,
         "swap",
         "vector",
+        kind="vector",
         partner="direction2",
     ),
     Quantity(
@@ -154,6 +172,7 @@ QUANTITIES: tuple[Quantity, ...] = (
         0,
         "swap",
         "vector",
+        kind="vector",
         partner="direction1",
     ),
     Quantity(
@@ -190,6 +209,7 @@ QUANTITIES: tuple[Quantity, ...] = (
         0,
         "even",
         "classes",
+        kind="class",
         classes=POINT_TYPES,
     ),
     Quantity(
@@ -202,6 +222,7 @@ QUANTITIES: tuple[Quantity, ...] = (
         0,
         "mirror",
         "classes",
+        kind="class",
         classes=HK_TYPES,
     ),
     Quantity(
@@ -214,6 +235,7 @@ QUANTITIES: tuple[Quantity, ...] = (
         0,
         "mirror",
         "classes",
+        kind="class",
         classes=SHAPE_CLASSES,
     ),
     Quantity(
@@ -226,6 +248,7 @@ QUANTITIES: tuple[Quantity, ...] = (
         0,
         "even",
         "classes",
+        kind="class",
         classes=INVARIANT_TYPES,
     ),
 )
@@ -233,10 +256,10 @@ QUANTITIES: tuple[Quantity, ...] = (
 
 BY_KEY: dict[str, Quantity] = {quantity.key: quantity for quantity in QUANTITIES}
 
-SCALARS: tuple[str, ...] = tuple(q.key for q in QUANTITIES if q.colour in ("diverging", "sequential"))
+SCALARS: tuple[str, ...] = tuple(q.key for q in QUANTITIES if q.kind == "scalar")
 """Keys of the real-valued quantities, which can be drawn as a colour."""
 
-CLASSES: tuple[str, ...] = tuple(q.key for q in QUANTITIES if q.colour == "classes")
+CLASSES: tuple[str, ...] = tuple(q.key for q in QUANTITIES if q.kind == "class")
 """Keys of the classifications, stored as int8 codes."""
 
 

@@ -1,6 +1,5 @@
 """Everything that the page tells of one patch, computed once."""
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -17,7 +16,7 @@ from quintrig.quantities.classify import Thresholds
 from quintrig.quantities.table import BY_KEY
 from quintrig.shaping.shape_effect import Variant, beside_own, standard_shapes, variant
 from quintrig.support.errors import ModelError
-from quintrig.support.tolerance import NOISE
+from quintrig.support.tolerance import typical_rounding
 
 Report = Callable[[str], None]
 """Called with what is being computed."""
@@ -108,5 +107,4 @@ def _others(patch: Patch) -> tuple[Patch, ...]:
 
 def rounding(summary: Summary, key: str) -> float:
     """Return the size at or below which a value of a quantity on this surface is only rounding of zero."""
-    natural = summary.extremes["curvedness"].mean.value ** max(-BY_KEY[key].power, 0)
-    return NOISE * natural if math.isfinite(natural) else 0.0
+    return typical_rounding(summary.extremes["curvedness"].mean.value, BY_KEY[key].power)

@@ -8,7 +8,7 @@ from markupsafe import Markup
 from quintrig.analysis.agreement import REASONS, Agreement
 from quintrig.analysis.extremes import Extreme
 from quintrig.analysis.summary import Summary
-from quintrig.geometry.envelope import inner_regression
+from quintrig.developables.regression import inner_regression
 from quintrig.quantities.table import BY_KEY
 from quintrig.report.facts import Facts, rounding, standard
 from quintrig.report.wording import listed, measure, number, pair, percent, prose, span

@@ -54,7 +54,7 @@ def formula(patch: Patch) -> Markup:
 
 def shape_text(patch: Patch) -> Markup:
     """Return the shape parameters with their names; empty where none act."""
-    if not patch.shape or patch.definition.classical:
+    if not patch.definition.acting:
         return Markup("")
     names = ("α", "ζ") if len(patch.shape) == 2 else ("α1", "ζ1", "α2", "ζ2")
     parts = [

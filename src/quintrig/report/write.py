@@ -24,9 +24,7 @@ from quintrig.report.pictures import Image, invariants_shown, overview, picture_
 from quintrig.report.wording import measure, number, percent, prose
 from quintrig.studio import page as studio
 from quintrig.support.files import refuse_unwritable, write_whole
-
-Progress = Callable[[str, int, int], None]
-"""Called with what is being done, steps done and steps in all."""
+from quintrig.support.progress import Progress
 
 DETAILED = 4
 """Models with more patches than this are told in brief: fewer pictures of each."""
@@ -60,6 +58,7 @@ def write_report(
     QuintrigError where it cannot be written, ValueError for fewer than 2 points.
     """
     target = _target(out)
+    source = to_toml(model.to_dict())  # before all the work where it cannot be written
     thresholds = thresholds or Thresholds()
     detailed = len(model.patches) <= DETAILED
     several = len(model.patches) > 1
@@ -80,7 +79,7 @@ def write_report(
         step(f"picture {picture.name}")
         together[picture.name] = render(picture)
     step("writing the page")
-    return write_whole(target, _page(model, chapters, together, grid, thresholds))
+    return write_whole(target, _page(model, source, chapters, together, grid, thresholds))
 
 
 def _steps(progress: Progress | None, total: int) -> Callable[[str], None]:
@@ -96,8 +95,14 @@ def _target(out: Path) -> Path:
     return target
 
 
-def _page(model: Model, chapters: list[Chapter], together: dict[str, Image], grid: int, thresholds: Thresholds) -> str:
-    source = to_toml(model.to_dict())
+def _page(
+    model: Model,
+    source: str,
+    chapters: list[Chapter],
+    together: dict[str, Image],
+    grid: int,
+    thresholds: Thresholds,
+) -> str:
     live = len(source) <= _LARGEST_VIEW
     return (
         _environment()

@@ -4,7 +4,6 @@ import io
 import shutil
 import tempfile
 import threading
-from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass
 from importlib.resources import files
@@ -22,9 +21,7 @@ from quintrig.reproduce.inventory import Item, inventory, labelled_points, model
 from quintrig.reproduce.tables import Rows, tables
 from quintrig.support.errors import QuintrigError
 from quintrig.support.files import refuse_unwritable, write_whole
-
-Progress = Callable[[str, int, int], None]
-"""Called with what was just built, items done and items in all."""
+from quintrig.support.progress import Progress
 
 FORMATS = ("png", "svg", "pdf")
 

@@ -12,13 +12,14 @@ from quintrig.analysis.table import Column, Table
 from quintrig.model.model import Patch
 from quintrig.quantities.table import BY_KEY
 from quintrig.support.errors import ModelError
-from quintrig.support.tolerance import NOISE
+from quintrig.support.tolerance import typical_rounding
 
-FOUR_SETS: tuple[tuple[float, ...], ...] = ((1, 1, 1, 1), (1, 1, -3, -3), (1, -3, 1, -3), (1, 0, -2, -3))
-"""The thesis's sets (α1, ζ1, α2, ζ2) for every surface of chapter 4 but the developable one."""
-
-TWO_SETS: tuple[tuple[float, ...], ...] = ((1, 1), (0, -4), (-2, 0), (-2, -4))
-"""The thesis's sets (α, ζ) for the enveloping developable surface (figures 4.29 to 4.32)."""
+SHAPE_SETS: dict[int, tuple[tuple[float, ...], ...]] = {
+    4: ((1, 1, 1, 1), (1, 1, -3, -3), (1, -3, 1, -3), (1, 0, -2, -3)),
+    2: ((1, 1), (0, -4), (-2, 0), (-2, -4)),
+}
+"""The thesis's sets of shape parameters by their number: (α1, ζ1, α2, ζ2) for every surface of chapter 4 but the
+enveloping developable, (α, ζ) for that (figures 4.29 to 4.32)."""
 
 AS_GIVEN = "as in the file"
 """What is said of the model's own shape parameters."""
@@ -49,7 +50,7 @@ class Variant:
 def standard_shapes(patch: Patch) -> tuple[tuple[float, ...], ...]:
     """Return the thesis's sets of shape parameters for this kind of surface; ModelError where it has none."""
     _check(patch)
-    return FOUR_SETS if len(patch.shape) == 4 else TWO_SETS
+    return SHAPE_SETS[len(patch.shape)]
 
 
 def beside_own(patch: Patch, shapes: Sequence[Sequence[float]]) -> tuple[Patch, ...]:
@@ -95,11 +96,9 @@ def intensities(found: Sequence[Variant], title: str = "") -> Table:
 
 def _rounded(values: Sequence[float], found: Sequence[Variant], power: int, integral: bool) -> tuple[float, ...]:
     """Return the values with 0 for what is rounding beside the typical curvature to a power, or its integral."""
-    if power <= 0:
-        return tuple(values)
     floors: list[float] = []
     for one in found:
-        floor = NOISE * one.summary.extremes["curvedness"].mean.value ** power
+        floor = typical_rounding(one.summary.extremes["curvedness"].mean.value, -power)
         floors.append(floor * one.summary.integrals.area.value if integral else floor)
     return tuple(0.0 if abs(value) <= floor else value for value, floor in zip(values, floors, strict=True))
 

@@ -13,7 +13,7 @@ from quintrig.exchange.origin import refuse_point
 from quintrig.model.model import Model
 from quintrig.quantities.table import quantity
 from quintrig.support.errors import QuintrigError
-from quintrig.support.extras import EXTRAS
+from quintrig.support.extras import EXTRAS, install
 
 _ALL = tuple(one for one in FORMATS if one.family != "model")
 _ANY = "model"  # stands for the name of a file
@@ -50,7 +50,7 @@ def formats() -> list[Format]:
 
 def refusals(model: Model | None = None, patch: str | None = None) -> dict[str, str]:
     """Return why formats cannot be written, by suffix: what is not installed, and what this model does not have."""
-    reasons = {one.suffix: f"needs pip install 'quintrig[{EXTRAS[one.needs][0]}]'" for one in _ALL if not one.installed}
+    reasons = {one.suffix: f"needs {install(EXTRAS[one.needs][0])}" for one in _ALL if not one.installed}
     if model is None:
         return reasons
     for one in formats():

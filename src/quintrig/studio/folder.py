@@ -1,15 +1,14 @@
 """The folder that the studio may read from and write to: model files directly in it, and nothing else."""
 
 import hashlib
-import json
 import os
 from pathlib import Path
 from typing import Any, cast
 
 from quintrig.model.model import Model, read_text
-from quintrig.studio.merge import merged
+from quintrig.model.save import save as write
 from quintrig.support.errors import ModelError, QuintrigError
-from quintrig.support.files import nets_named, open_regular, write_whole
+from quintrig.support.files import nets_named, open_regular
 from quintrig.support.parsing import parse
 
 SUFFIXES = (".toml", ".json")
@@ -86,11 +85,7 @@ def save(folder: Path, name: str, model: Model, tag: str | None) -> str:
     if tag is not None and tag != (tag_of(path) if there else ""):
         what = "was changed by something else since it was opened here" if tag else "exists already"
         raise Changed(f"{name} {what}.")
-    if path.suffix.lower() == ".json":
-        text = json.dumps(model.to_dict(), ensure_ascii=False, indent=1) + "\n"
-    else:
-        text = merged(_text(path) if there else "", model, folder)
-    write_whole(path, text)
+    write(model, path)
     return tag_of(path)
 
 
@@ -101,10 +96,3 @@ def tag_of(path: Path) -> str:
             return hashlib.sha256(file.read()).hexdigest()[:16]
     except OSError as error:
         raise QuintrigError(f"{path.name}: cannot be read ({error.strerror or error})") from None
-
-
-def _text(path: Path) -> str:
-    try:
-        return read_text(path)
-    except ModelError:
-        return ""

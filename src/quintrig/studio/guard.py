@@ -67,14 +67,18 @@ class Guard:
     def _refusal(self, scope: Scope, headers: dict[bytes, bytes], brought: bool) -> Response | None:
         """Return why a request is not let through; None when it is."""
         if not self._known_host(headers.get(b"host", b"").decode("latin-1")):
-            return PlainTextResponse("This address is not the studio's; use the one that quintrig view printed.", 421)
+            return PlainTextResponse(
+                "This address is not the studio's; use the one that was printed when it began.", 421
+            )
         if not _from_own_page(scope, headers):
             return JSONResponse({"error": "requests from other pages are refused"}, 403)
         length = headers.get(b"content-length", b"0")
         if not length.isdigit() or len(length) > 12 or int(length) > LARGEST_BODY:
             return JSONResponse({"error": f"expected at most {LARGEST_BODY >> 20} MB"}, 413)
         if not brought and not self._is_token(self._kept(headers.get(b"cookie", b"").decode("latin-1"))):
-            return PlainTextResponse("Open the studio by the address that quintrig view printed: it has a token.", 403)
+            return PlainTextResponse(
+                "Open the studio by the address that was printed when it began: it has a token.", 403
+            )
         return None
 
     def _brings_token(self, scope: Scope) -> bool:

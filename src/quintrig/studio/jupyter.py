@@ -8,13 +8,15 @@ from quintrig.model.model import Model
 from quintrig.model.recognise import Subject, as_model
 from quintrig.quantities.table import quantity
 from quintrig.studio import page, still
-from quintrig.support.errors import QuintrigError
+from quintrig.studio.built import for_page, rebuilt
+from quintrig.studio.kinds import installed
+from quintrig.support.extras import missing
 
 try:
     import anywidget
     import traitlets
 except ModuleNotFoundError as error:
-    raise QuintrigError(f"showing surfaces in Jupyter needs {error.name}: pip install 'quintrig[jupyter]'") from None
+    raise missing("showing surfaces in Jupyter", str(error.name), "jupyter") from None
 
 
 NO_COLOUR = "none"
@@ -32,11 +34,18 @@ class View(anywidget.AnyWidget):
     model = cast(Any, traitlets.Dict().tag(sync=True))
     quantity = cast(Any, traitlets.Unicode("gaussian").tag(sync=True))
     height = cast(Any, traitlets.Int(560, min=240, max=4000).tag(sync=True))
+    brought = cast(Any, traitlets.Dict().tag(sync=True))
+    """What the page cannot know of: kinds of installed packages, and the surfaces of those in the model."""
+
+    def __init__(self, **keywords: Any) -> None:
+        """Make the view, and build what its page asks for."""
+        super().__init__(**keywords)
+        cast(Any, self).on_msg(_answer)
 
     @traitlets.validate("quantity")
     def _known(self, proposal: Any) -> str:
         key = str(proposal["value"])
-        if key != NO_COLOUR and quantity(key).colour == "vector":
+        if key != NO_COLOUR and quantity(key).kind == "vector":
             raise ValueError(f"{key} is a vector; choose a quantity with one value at a point, such as gaussian")
         return key
 
@@ -65,4 +74,13 @@ def show(subject: Subject, key: str = "gaussian", height: int = 560) -> View:
     ``height`` is in pixels. Raises ValueError for what cannot be shown.
     """
     model = as_model(subject)
-    return View(model=model.to_dict(), quantity=key, height=height)
+    brought = installed()
+    if "built" in (told := for_page(model)):
+        brought["built"] = told["built"]
+    return View(model=model.to_dict(), quantity=key, height=height, brought=brought)
+
+
+def _answer(view: View, content: Any, _: Any) -> None:
+    """Send a page the surfaces of patches that it asks for."""
+    if isinstance(content, dict) and isinstance(patches := cast(dict[str, Any], content).get("build"), list):
+        cast(Any, view).send({"built": rebuilt(cast(list[dict[str, Any]], patches))})

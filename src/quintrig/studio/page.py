@@ -9,6 +9,8 @@ from typing import Any
 
 from quintrig.model.model import Model
 from quintrig.quantities.table import quantity
+from quintrig.studio.built import for_page
+from quintrig.studio.kinds import installed
 from quintrig.support.errors import QuintrigError
 
 BUNDLE = Path(__file__).parent / "bundle" / "studio.js"
@@ -38,7 +40,9 @@ def viewer(model: Model, key: str = "gaussian", identity: str = "quintrig-viewer
     element a height by its class ``quintrig-viewer``. Once a page, at its end, follows ``code()``. Raises ValueError
     for an unknown quantity.
     """
-    data = as_json({"model": model.to_dict(), "quantity": quantity(key).key, "place": f"report:{model.name}"})
+    brought = installed({patch.kind for patch in model.patches})
+    place = {"quantity": quantity(key).key, "place": f"report:{model.name}"}
+    data = as_json({"model": for_page(model), **place, **({"installed": brought} if brought else {})})
     name = html.escape(identity, quote=True)
     return (
         f'<div class="quintrig-viewer" id="{name}" data-quintrig="embedded" data-model="{name}-data"></div>\n'
@@ -69,14 +73,19 @@ def policy() -> str:
 
 
 def shell(place: str) -> str:
-    """Return the page of the live studio; ``place`` is the key under which its unsaved work is kept."""
+    """Return the page of the live studio; ``place`` is the key under which its unsaved work is kept.
+
+    Kinds that installed packages bring are told to the page in an element of their own.
+    """
+    brought = as_json(installed())
     return (
         '<!doctype html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n<title>quintrig</title>\n'
         '<link rel="icon" href="icon.svg" type="image/svg+xml">\n<link rel="stylesheet" href="page.css">\n'
         '<script type="module" src="studio.js"></script>\n</head>\n<body>\n'
         f'<div class="quintrig-page" data-quintrig="live" data-place="{html.escape(place, quote=True)}">'
-        "<noscript>The studio needs JavaScript.</noscript></div>\n</body>\n</html>\n"
+        "<noscript>The studio needs JavaScript.</noscript></div>\n"
+        f'<script type="application/json" id="quintrig-installed">{brought}</script>\n</body>\n</html>\n'
     )
 
 

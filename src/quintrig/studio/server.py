@@ -17,7 +17,7 @@ from starlette.requests import ClientDisconnect, Request
 from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
 
-from quintrig.studio import exports, folder, page
+from quintrig.studio import built, exports, folder, page
 from quintrig.studio.guard import LARGEST_BODY, App, Guard, TooLarge
 from quintrig.studio.patient import Patient
 from quintrig.support.errors import ModelError, QuintrigError
@@ -65,8 +65,9 @@ def site(model: Path | None, host: str = LOOPBACK, port: int = 0) -> Site:
         if _free(host, candidate):
             return Site(base, place.name if model else "", host, candidate, secrets.token_urlsafe(24))
     raise QuintrigError(
-        f"{host}: port {candidates[0]} cannot be used (taken by another program, or not an address of this machine); "
-        "choose another with --port or --host"
+        f"{host}: port {candidates[0]} cannot be used (taken by another program, or not an address of this machine)",
+        remedy="choose another port or host",
+        key="address",
     )
 
 
@@ -97,7 +98,14 @@ def application(where: Site) -> App:
     async def check(request: Request) -> Response:
         body = await _body(request, "name", "text")
         read = await anyio.to_thread.run_sync(folder.checked, body["name"], body["text"])
-        return JSONResponse({"model": read.to_dict()})
+        return JSONResponse({"model": built.for_page(read)})
+
+    async def build(request: Request) -> Response:
+        patches = parse((await _body(request, "patches"))["patches"], ".json", LARGEST_BODY)
+        if not (isinstance(patches, list) and all(isinstance(keys, dict) for keys in cast(list[Any], patches))):
+            raise ValueError("patches: expected a list of tables of keys")
+        made = await anyio.to_thread.run_sync(built.rebuilt, cast(list[dict[str, Any]], patches))
+        return JSONResponse({"built": made})
 
     async def formats(request: Request) -> Response:
         if request.method == "POST":
@@ -136,6 +144,7 @@ def application(where: Site) -> App:
         Route("/api/files/{name:path}", load, methods=["GET"]),
         Route("/api/files/{name:path}", save, methods=["PUT"]),
         Route("/api/check", check, methods=["POST"]),
+        Route("/api/build", build, methods=["POST"]),
         Route("/api/formats", formats, methods=["GET", "POST"]),
         Route("/api/export", export, methods=["POST"]),
     ]
@@ -173,7 +182,7 @@ def serving(where: Site) -> uvicorn.Server:
 
 async def _opened(where: Path, name: str) -> Response:
     model, tag = await anyio.to_thread.run_sync(folder.read, where, name)
-    return JSONResponse({"model": model.to_dict(), "name": name, "tag": tag})
+    return JSONResponse({"model": built.for_page(model), "name": name, "tag": tag})
 
 
 def _static(content: str, kind: str) -> Answer:

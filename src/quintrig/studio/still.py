@@ -6,6 +6,7 @@ import numpy as np
 
 from quintrig.model.model import Model
 from quintrig.quantities.table import quantity
+from quintrig.support.tolerance import rounding
 
 _FACETS, _MOST = 60, 36_000  # a side, and in all: a notebook should not wait long for its picture
 
@@ -37,6 +38,6 @@ def _size(model: Model) -> str:
     points = points[np.isfinite(points).all(axis=-1)]
     if not len(points):
         return "of no finite size"
-    rounding = 1e-12 * np.abs(points).max()
-    sides = " × ".join(f"{side if side > rounding else 0.0:.4g}" for side in np.ptp(points, axis=0))
+    rounded = rounding(points)
+    sides = " × ".join(f"{side if side > rounded else 0.0:.4g}" for side in np.ptp(points, axis=0))
     return f"{sides} {model.unit}".rstrip()

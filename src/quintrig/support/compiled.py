@@ -17,6 +17,8 @@ import numba
 import numba.extending
 from llvmlite import ir as _ir
 
+from quintrig.support.numba_inside import share_cache
+
 Function = TypeVar("Function", bound=Callable[..., Any])
 
 SOURCES = (
@@ -24,6 +26,7 @@ SOURCES = (
     "kernel/blocks",
     "quantities/classify",
     "support/compiled",
+    "support/numba_inside",
     "kernel/contraction",
     "quantities/curvature",
     "quantities/invariants",
@@ -70,7 +73,7 @@ def loop(function: Function) -> Function:
     finally:
         _config.CACHE_DIR = before
     if folder is not None:
-        _share_cache(compiled)
+        share_cache(compiled, _PROCESS)
     return cast(Function, compiled)
 
 
@@ -127,45 +130,6 @@ stream_line = cast(Callable[[int, int], None], _intrinsic(_stream))
 
 fence = cast(Callable[[], None], _intrinsic(_fence))
 """Make all streamed lines visible to other threads."""
-
-
-def address(function: Callable[[int, int, int, int, int, int, int], None]) -> int:
-    """Return where a loop that takes seven whole numbers is found in memory, compiled if need be.
-
-    A loop that is called by its address is compiled once; one that is called by its name, anew in every caller.
-    """
-    compiled = cast(Any, function)
-    signature = (_types.intp,) * 7
-    compiled.compile(signature)
-    found = compiled.overloads[signature]
-    return found.library.get_pointer_to_function(found.fndesc.llvm_cfunc_wrapper_name)
-
-
-def _share_cache(compiled: Any) -> None:
-    """Make the cache of one loop safe with several processes, full disks and broken files.
-
-    Numba numbers the files of a loop by the index that it read last, so two processes that compile at once would give
-    one name to different code; a word of its own in each process's names keeps them apart. A file that cannot be read
-    or written is as good as none: the loop is compiled instead. Where Numba has changed inside, nothing is done.
-    """
-    cache: Any = getattr(compiled, "_cache", None)
-    files: Any = getattr(cache, "_cache_file", None)
-    if not hasattr(files, "_data_name_pattern"):
-        return
-    files._data_name_pattern = files._data_name_pattern.replace("{number:d}", "{number:d}-" + _PROCESS)
-    cache.load_overload, cache.save_overload = _lenient(cache.load_overload), _lenient(cache.save_overload)
-
-
-def _lenient(action: Callable[..., Any]) -> Callable[..., Any]:
-    """Return the action, but with None for a failure."""
-
-    def tried(*arguments: Any) -> Any:
-        try:
-            return action(*arguments)
-        except Exception:  # a truncated file fails in many ways
-            return None
-
-    return tried
 
 
 def cache_folder() -> Path | None:

@@ -10,19 +10,35 @@ EXTRAS = {
     "rhino3dm": ("cad", "rhino3dm"),
     "meshio": ("mesh", "meshio"),
     "ezdxf": ("flat", "ezdxf"),
+    "polars": ("sweep", "Polars"),
+    "pyarrow": ("sweep", "pyarrow"),
+    "distributed": ("cluster", "Dask's distributed"),
+    "zarr": ("stream", "Zarr"),
 }
 """The extra of this package and the name of the project, by Python module."""
 
 
-def need(module: str, purpose: str) -> Any:
-    """Return an optional module; QuintrigError with the pip command where it is not installed."""
-    extra, name = EXTRAS[module.partition(".")[0]]
+def need(module: str, purpose: str, extra: str = "") -> Any:
+    """Return an optional module; QuintrigError with the pip command, by default of its usual extra, where missing."""
+    package = module.partition(".")[0]
+    usual, name = EXTRAS[package]
     try:
         return import_module(module)
     except ImportError as error:
-        if isinstance(error, ModuleNotFoundError) and (error.name or "").partition(".")[0] == module.partition(".")[0]:
-            raise QuintrigError(f"{purpose} needs {name}; install it with: pip install 'quintrig[{extra}]'") from None
+        absent = isinstance(error, ModuleNotFoundError) and (error.name or "").partition(".")[0] == package
+        if absent:
+            raise missing(purpose, name, extra or usual) from None
         raise QuintrigError(
             f"{purpose} needs {name}, which is installed but does not load ({error}); "
-            f"try: pip install --force-reinstall 'quintrig[{extra}]'"
+            f"try: {install(extra or usual).replace('install', 'install --force-reinstall', 1)}"
         ) from None
+
+
+def missing(purpose: str, name: str, extra: str) -> QuintrigError:
+    """Return the error that says that a package, by name, is not installed."""
+    return QuintrigError(f"{purpose} needs {name}; install it with: {install(extra)}")
+
+
+def install(extra: str) -> str:
+    """Return the command that installs an extra of this package."""
+    return f"pip install 'quintrig[{extra}]'"

@@ -1,11 +1,10 @@
-"""What writing needs: files whole or not at all, no model lost, and packages that may be missing."""
+"""What writing needs: files whole or not at all, and no model lost."""
 
 import os
 import stat
 import tempfile
 from collections.abc import Generator, Iterator
 from contextlib import contextmanager, suppress
-from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, BinaryIO, cast
 
@@ -138,8 +137,10 @@ def refuse_loss(target: str | Path, *sources: Path | None, force: bool | None = 
                 f"{path}: this file is read here, and writing to it would lose the original; choose another name"
             )
     if not force and _is_model(path):
-        remedy = "remove it first" if force is None else "--force to replace it"
-        raise QuintrigError(f"{path}: exists already and is a model; choose another name, or {remedy}")
+        message, name = f"{path}: exists already and is a model", "choose another name, or"
+        if force is None:
+            raise QuintrigError(message, remedy=f"{name} remove it first")
+        raise QuintrigError(message, remedy=f"{name} force=True to replace it", key="replace")
 
 
 def _is_model(path: Path) -> bool:
@@ -183,12 +184,6 @@ def _refusal(target: Path, error: OSError | UnicodeError) -> QuintrigError:
     if isinstance(error, (FileExistsError, NotADirectoryError)):
         reason = "a part of the path is a file, not a folder"
     return QuintrigError(f"{target}: cannot be written ({reason}); choose another place or free it")
-
-
-def require(package: str, extra: str) -> None:
-    """Raise QuintrigError with the command that installs an optional package, where it is missing."""
-    if find_spec(package) is None:
-        raise QuintrigError(f"this needs {package}, which is not installed: run pip install 'quintrig[{extra}]'")
 
 
 def in_utf8(path: Path) -> bool:

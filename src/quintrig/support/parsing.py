@@ -4,6 +4,7 @@ import json
 import re
 import secrets
 import tomllib
+from dataclasses import dataclass
 from typing import Any, cast
 
 import numpy as np
@@ -72,9 +73,47 @@ def _toml(text: str) -> Any:
 
     They are ten times faster there, and so a net is as fast in one form as in the other.
     """
+    folded = fold(text)
+    return folded.filled(tomllib.loads(folded.text))
+
+
+@dataclass
+class Folded:
+    """TOML in which texts stand for its long lists of plain numbers: ``mark``, then an index of ``values``.
+
+    ``bodies`` holds how the lists were spelled.
+    """
+
+    text: str
+    mark: str
+    values: list[Any]
+    bodies: list[str]
+
+    def filled(self, value: Any) -> Any:
+        """Return what was read of the text with the lists in their places."""
+        if isinstance(value, str) and value.startswith(self.mark):
+            return self.values[int(value[len(self.mark) :].partition(":")[0])]
+        if isinstance(value, dict):
+            return {key: self.filled(item) for key, item in cast(dict[str, Any], value).items()}
+        if isinstance(value, list):
+            return [self.filled(item) for item in cast(list[Any], value)]
+        return value
+
+    def put(self, body: str) -> str:
+        """Return a text that ``unfolded`` replaces by ``body``."""
+        self.values.append(None)
+        self.bodies.append(body)
+        return f"{self.mark}{len(self.bodies) - 1}:"
+
+    def unfolded(self, text: str) -> str:
+        """Return TOML with every list as it was spelled."""
+        return re.sub(rf'"(?:"")?{self.mark}(\d+):\n*"(?:"" )?', lambda found: self.bodies[int(found[1])], text)
+
+
+def fold(text: str) -> Folded:
+    """Fold TOML up, its lines ended by newlines alone; ModelError for what is too large or too deep for a parser."""
     text = text.replace("\r\n", "\n")
-    mark = secrets.token_hex(8)  # a text that no file holds
-    lists: list[Any] = []
+    result = Folded("", secrets.token_hex(8), [], [])  # a mark that no file holds
     kept: list[str] = []
     bare: list[str] = []
     at = 0
@@ -87,10 +126,11 @@ def _toml(text: str) -> Any:
         numbers = _numbers(text, at) if found["list"] else None
         if numbers is not None:
             # The lines stay, so that a mistake further down is told in its own.
-            lines = "\n" * text.count("\n", at, numbers[1])
-            kept.append(f'"""{mark}{len(lists)}:{lines}""" ')
-            lists.append(numbers[0])
-            at = numbers[1]
+            value, end = numbers
+            lines = "\n" * text.count("\n", at, end)
+            kept.append(f'"""{result.put(text[at:end])}{lines}""" ')
+            result.values[-1] = value
+            at = end
     rest = "".join(bare)
     if _DOTTED.search(rest):
         raise _too_deep()
@@ -100,7 +140,8 @@ def _toml(text: str) -> Any:
             f"expected at most {LARGEST_SLOW >> 20} MB of TOML beside lists of plain numbers, found "
             f"{len(rest) / 2**20:.1f} MB; keep large nets in .csv files beside the model, or write it as .json"
         )
-    return _with_lists(tomllib.loads("".join(kept)), mark, lists)
+    result.text = "".join(kept)
+    return result
 
 
 def _numbers(text: str, start: int) -> tuple[Any, int] | None:
@@ -114,17 +155,6 @@ def _numbers(text: str, start: int) -> tuple[Any, int] | None:
     except ValueError:
         return None
     return value, start + length
-
-
-def _with_lists(value: Any, mark: str, lists: list[Any]) -> Any:
-    """Put the lists of numbers where their marks stand."""
-    if isinstance(value, str) and value.startswith(mark):
-        return lists[int(value[len(mark) :].partition(":")[0])]
-    if isinstance(value, dict):
-        return {key: _with_lists(item, mark, lists) for key, item in cast(dict[str, Any], value).items()}
-    if isinstance(value, list):
-        return [_with_lists(item, mark, lists) for item in cast(list[Any], value)]
-    return value
 
 
 def _check(bare: str, keys: int) -> None:

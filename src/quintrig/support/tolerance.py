@@ -1,5 +1,7 @@
 """All tolerances: what of a value is only rounding, and where a surface has no tangent plane or a vertical one."""
 
+import math
+
 import numpy as np
 
 from quintrig.support.arrays import FloatArray
@@ -29,6 +31,14 @@ def rounding_floor(curvedness: FloatArray, size: float, power: int) -> FloatArra
     if power >= 0 or not size > 0.0:
         return np.full(curvedness.shape, NOISE * size ** max(power, 0))
     return NOISE * np.fmax(curvedness, 1.0 / size) ** -power
+
+
+def typical_rounding(curvedness: float, power: int) -> float:
+    """Return the size at or below which one value, length^``power``, is rounding on a surface of this mean curvedness.
+
+    0 where nothing is told: for lengths and areas, and where the curvedness has no bound.
+    """
+    return NOISE * curvedness**-power if power < 0 and math.isfinite(curvedness) else 0.0
 
 
 def rounding(points: FloatArray) -> float:

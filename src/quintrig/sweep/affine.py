@@ -14,7 +14,7 @@ from quintrig.geometry.surface import Surface
 from quintrig.kernel.evaluate import row_derivatives
 from quintrig.model.model import Patch
 from quintrig.support.arrays import FloatArray
-from quintrig.sweep.space import SHAPE_NAMES, DesignSpace
+from quintrig.sweep.space import DesignSpace
 
 _BASE = -4.0
 _STEP = 2.0**20  # a power of two, so that dividing by it rounds nothing
@@ -34,7 +34,7 @@ class Parts:
 def is_affine(patch: Patch, space: DesignSpace) -> bool:
     """Tell whether every varied parameter is a shape parameter of a surface built from control points."""
     definition = patch.definition
-    return definition.affine and not definition.classical and set(space.names) <= set(SHAPE_NAMES)
+    return definition.affine and set(space.names) <= set(definition.acting)
 
 
 def affine_rows(patch: Patch, u: FloatArray) -> FloatArray:
@@ -56,7 +56,7 @@ def weights(patch: Patch, space: DesignSpace, designs: FloatArray) -> FloatArray
     """Return the weights (n, 4) of designs (n, axes), from (α1, ζ1, α2, ζ2); those not varied are the model's."""
     result = np.tile(np.array(patch.shape), (len(designs), 1))
     for column, name in enumerate(space.names):
-        result[:, SHAPE_NAMES.index(name)] = designs[:, column]
+        result[:, patch.definition.shape_names.index(name)] = designs[:, column]
     return result - _BASE
 
 

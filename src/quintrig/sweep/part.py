@@ -10,7 +10,7 @@ from quintrig.model.model import Model, Patch
 from quintrig.quantities.classify import Thresholds
 from quintrig.quantities.table import BY_KEY
 from quintrig.support.arrays import FloatArray
-from quintrig.support.errors import ModelError
+from quintrig.support.errors import ArgumentError, ModelError
 from quintrig.sweep.affine import amounts_above, is_affine, weights
 from quintrig.sweep.measure import affine_measure, single_measure
 from quintrig.sweep.nodes import WIDEST
@@ -34,7 +34,7 @@ class Task:
     def __post_init__(self) -> None:
         """Check once, at birth."""
         if not 4 <= self.points <= LARGEST_SIDE:
-            raise ValueError(f"--points: expected 4 to {LARGEST_SIDE} a side, got {self.points}")
+            raise ArgumentError(f"expected 4 to {LARGEST_SIDE} a side, got {self.points}", "points")
         check(self.space, self.built())
 
     def built(self) -> Patch:

@@ -8,7 +8,7 @@ import numpy as np
 
 from quintrig.support.arrays import FloatArray
 from quintrig.support.errors import QuintrigError, nearest
-from quintrig.support.files import require
+from quintrig.support.extras import need
 from quintrig.sweep.part import columns
 from quintrig.sweep.space import DesignSpace
 from quintrig.sweep.store import Sweep
@@ -31,22 +31,24 @@ class Question:
 
     def check(self, space: DesignSpace) -> None:
         """Raise QuintrigError for a condition that cannot be read or an unknown column, before anything is computed."""
-        require("polars", "sweep")
+        need("polars", "a sweep")
         import polars as pl
 
         known = columns(space)
         if self.best and self.best not in known:
             hint = nearest(self.best, known) or f"; known are {', '.join(known)}"
-            raise QuintrigError(f"--best {self.best}: unknown column{hint}")
+            raise QuintrigError(f"unknown column{hint}", "best", self.best)
         if self.descending and not self.best:
-            raise QuintrigError("--greatest: says the order of --best COLUMN; add it")
+            raise QuintrigError("says the order of a column", "descending", remedy="give it as best", key="best")
         try:
             self.on(pl.LazyFrame(schema=dict.fromkeys(known, pl.Float64))).collect()
         except (pl.exceptions.PolarsError, pl.exceptions.PanicException) as error:
             reason = (str(error).splitlines() or [""])[0].partition("; valid columns")[0][:120]
             raise QuintrigError(
-                f"--where {self.where!r}: {reason}; expected a condition such as 'gaussian_min >= 0 AND singular = 0' "
-                f"on the columns {', '.join(known)}"
+                f"{reason}; expected a condition such as 'gaussian_min >= 0 AND singular = 0' on the columns "
+                f"{', '.join(known)}",
+                "where",
+                repr(self.where),
             ) from None
 
     def on(self, table: "pl.LazyFrame") -> "pl.LazyFrame":

@@ -1,6 +1,6 @@
 """Running a sweep: on threads of this machine, or on the workers of a Dask cluster."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, ThreadPoolExecutor, wait
 from itertools import islice
 from os import cpu_count
@@ -10,12 +10,10 @@ from uuid import uuid4
 
 from quintrig.support.arrays import FloatArray
 from quintrig.support.errors import QuintrigError
-from quintrig.support.files import require
+from quintrig.support.extras import need
+from quintrig.support.progress import Counted
 from quintrig.sweep.part import summaries
 from quintrig.sweep.store import Sweep
-
-Progress = Callable[[int, int], None]
-"""Called with the designs done and the designs in all."""
 
 _PATIENCE = 5.0  # seconds to wait for a scheduler
 _IDLE = 60.0  # seconds to wait for workers where a cluster has none
@@ -25,7 +23,7 @@ _AHEAD = 256  # parts handed to a cluster at a time
 
 
 def run(
-    sweep: Sweep, scheduler: str | None = None, progress: Progress | None = None, threads: int | None = None
+    sweep: Sweep, scheduler: str | None = None, progress: Counted | None = None, threads: int | None = None
 ) -> None:
     """Compute the parts that are missing and write each as it comes.
 
@@ -74,14 +72,14 @@ def _on_threads(sweep: Sweep, parts: list[int], threads: int | None) -> Iterator
 
 
 def _on_cluster(sweep: Sweep, parts: list[int], scheduler: str) -> Iterator[tuple[int, FloatArray]]:
-    require("distributed", "cluster")
+    need("distributed", "a cluster")
     from distributed import Client, KilledWorker, as_completed
 
     try:
         client: Any = cast(Any, Client)(scheduler, timeout=_PATIENCE, set_as_default=False)
     except Exception as error:  # an address that is none fails in many ways inside distributed, assertions among them
         reason = (str(error).splitlines() or [type(error).__name__])[0]
-        raise QuintrigError(f"--scheduler {scheduler}: cannot be reached ({reason}); is it running?") from None
+        raise QuintrigError(f"cannot be reached ({reason}); is it running?", "scheduler", scheduler) from None
     waiting = iter(parts)
     numbers: dict[str, int] = {}
 
@@ -108,8 +106,9 @@ def _on_cluster(sweep: Sweep, parts: list[int], scheduler: str) -> Iterator[tupl
     except (OSError, CancelledError, ImportError, KilledWorker) as error:
         reason = (str(error).splitlines() or [""])[0] or type(error).__name__
         raise QuintrigError(
-            f"--scheduler {scheduler}: the cluster failed ({reason[:200]}); the parts written stay, and the same "
-            "command goes on from them"
+            f"the cluster failed ({reason[:200]}); the parts written stay, and the same command goes on from them",
+            "scheduler",
+            scheduler,
         ) from None
 
 
@@ -129,6 +128,8 @@ def _arriving(running: Any, client: Any, scheduler: str) -> Iterator[tuple[Any, 
             manned = now if client.scheduler_info()["workers"] else manned
             if now - manned > _IDLE:
                 raise QuintrigError(
-                    f"--scheduler {scheduler}: has had no worker for {_IDLE:.0f} s; start some by 'dask worker "
-                    f"{scheduler}' and give the same command again: the parts written stay"
+                    f"has had no worker for {_IDLE:.0f} s; start some by 'dask worker {scheduler}' and give the same "
+                    "command again: the parts written stay",
+                    "scheduler",
+                    scheduler,
                 )

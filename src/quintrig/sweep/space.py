@@ -8,12 +8,11 @@ import numpy as np
 
 from quintrig.basis.trigonometric import SHAPE_RANGE
 from quintrig.model.model import Patch
-from quintrig.support.arrays import FloatArray, number
-from quintrig.support.errors import ModelError, nearest
+from quintrig.support.arrays import FloatArray
+from quintrig.support.errors import ArgumentError, ModelError, nearest
 from quintrig.support.numerals import real, whole
 
 Sampling = Literal["grid", "latin", "sobol"]
-SHAPE_NAMES = ("alpha1", "zeta1", "alpha2", "zeta2")
 LARGEST_SPACE = 10**9
 LARGEST_LATIN = 10**6
 """A Latin hypercube is drawn whole, in memory; a Sobol sequence part by part."""
@@ -34,17 +33,19 @@ class Axis:
     def __post_init__(self) -> None:
         """Check once, at birth."""
         name, low, high, count = self.name, self.low, self.high, self.count
-        text = f"--vary {name}={low:g}:{high:g}:{count}"
-        number(low, f"--vary {name}")
-        number(high, f"--vary {name}")
+        if not (math.isfinite(low) and math.isfinite(high)):
+            raise self._refused("expected a finite number for either end")
         if high < low:
-            raise ValueError(f"{text}: the range is reversed; write {name}={high:g}:{low:g}:{count}")
+            raise self._refused(f"the range is reversed; write {name}={high:g}:{low:g}:{count}")
         if count < 1:
-            raise ValueError(f"{text}: the range is empty; expected a count of 1 or more, got {count}")
+            raise self._refused(f"the range is empty; expected a count of 1 or more, got {count}")
         if high == low and count > 1:
-            raise ValueError(f"{text}: the range is empty; write {name}={low:g} to hold it fixed")
+            raise self._refused(f"the range is empty; write {name}={low:g} to hold it fixed")
         if count == 1 and high > low:
-            raise ValueError(f"{text}: one value cannot span a range; expected a count of 2 or more")
+            raise self._refused("one value cannot span a range; expected a count of 2 or more")
+
+    def _refused(self, message: str) -> ArgumentError:
+        return ArgumentError(message, "axis", f"{self.name}={self.low:g}:{self.high:g}:{self.count}")
 
     @property
     def values(self) -> FloatArray:
@@ -59,14 +60,14 @@ def parse_axis(text: str) -> Axis:
     """
     name, found, rest = text.partition("=")
     name, parts = name.strip(), rest.split(":")
-    form = f"--vary {text!r}: expected name=low:high:count, such as alpha1=-4:1:21"
+    form = ArgumentError("expected name=low:high:count, such as alpha1=-4:1:21", "axis", repr(text))
     if not found or not name or len(parts) not in (1, 2, 3):
-        raise ValueError(form)
+        raise form
     try:
         low, high = real(parts[0]), real(parts[min(1, len(parts) - 1)])
         count = whole(parts[2]) if len(parts) == 3 else 1 if len(parts) == 1 else 11
     except ValueError:
-        raise ValueError(form) from None
+        raise form from None
     return Axis(name, low, high, count)
 
 
@@ -86,25 +87,34 @@ class DesignSpace:
         """Check once, at birth."""
         names = [axis.name for axis in self.axes]
         if not names:
-            raise ValueError("--vary: expected at least one parameter, such as --vary alpha1=-4:1:21")
+            raise ArgumentError("expected at least one parameter", "axes", remedy="give an Axis", key="axes")
         twice = [name for name in names if names.count(name) > 1]
         if twice:
-            raise ValueError(f"--vary: {twice[0]!r} is given twice; give each parameter once")
+            raise ArgumentError(f"{twice[0]!r} is given twice; give each parameter once", "axes")
         if self.sampling != "grid" and self.samples < 1:
-            raise ValueError(f"--samples: expected 1 or more for {self.sampling} sampling, got {self.samples}")
+            raise ArgumentError(f"expected 1 or more for {self.sampling} sampling, got {self.samples}", "samples")
         if self.sampling == "grid" and self.samples:
-            raise ValueError("--samples: a grid has as many designs as its axes say; add --sampling sobol or latin")
+            raise ArgumentError(
+                "a grid has as many designs as its axes say",
+                "samples",
+                remedy="take the sampling 'sobol' or 'latin'",
+                key="sample",
+            )
         if self.seed < 0:
-            raise ValueError(f"--seed: expected 0 or more, got {self.seed}")
+            raise ArgumentError(f"expected 0 or more, got {self.seed}", "seed")
         if self.sampling == "latin" and self.samples > LARGEST_LATIN:
-            raise ValueError(
-                f"--samples: expected at most {LARGEST_LATIN:,} for latin sampling, got {self.samples:,}; "
-                "take --sampling sobol"
+            raise ArgumentError(
+                f"expected at most {LARGEST_LATIN:,} for latin sampling, got {self.samples:,}",
+                "samples",
+                remedy="take the sampling 'sobol'",
+                key="sobol",
             )
         if self.count > LARGEST_SPACE:
-            raise ValueError(
-                f"--vary: {self.count:,} designs are more than {LARGEST_SPACE:,}; take fewer values, or a sample "
-                "by --sampling sobol --samples N"
+            raise ArgumentError(
+                f"{self.count:,} designs are more than {LARGEST_SPACE:,}",
+                "axes",
+                remedy="take fewer values, or the sampling 'sobol'",
+                key="space",
             )
 
     @property
@@ -157,17 +167,19 @@ def check(space: DesignSpace, patch: Patch) -> None:
     unchecked = bool(getattr(patch.definition, "unchecked_shape", False))
     for axis in space.axes:
         if axis.name not in known:
-            raise ValueError(
-                f"--vary {axis.name}: unknown parameter{nearest(axis.name, known)}; "
-                f"a {patch.kind} has {', '.join(known)}"
+            raise ArgumentError(
+                f"unknown parameter{nearest(axis.name, known)}; a {patch.kind} has {', '.join(known)}",
+                "axis",
+                axis.name,
             )
+        span = f"{axis.name}={axis.low:g}:{axis.high:g}"
         if axis.name in patch.definition.shape_names and not unchecked and not (low <= axis.low and axis.high <= high):
-            raise ValueError(f"--vary {axis.name}={axis.low:g}:{axis.high:g}: the range leaves [-4, 1]; narrow it")
+            raise ArgumentError("the range leaves [-4, 1]; narrow it", "axis", span)
         for value in (axis.low, axis.high):
             try:
                 patch.with_parameters({axis.name: value})
             except ModelError as error:
-                raise ValueError(f"--vary {axis.name}={axis.low:g}:{axis.high:g}: {error}") from None
+                raise ArgumentError(str(error), "axis", span) from None
 
 
 def _latin(dimension: int, count: int, seed: int, start: int, stop: int) -> FloatArray:

@@ -16,7 +16,8 @@ from quintrig.analysis.integrate import orientation
 from quintrig.quantities.classify import Thresholds
 from quintrig.support.arrays import FloatArray
 from quintrig.support.errors import QuintrigError
-from quintrig.support.files import open_regular, refuse_unwritable, require, require_utf8, write_first, write_whole
+from quintrig.support.extras import need
+from quintrig.support.files import open_regular, refuse_unwritable, require_utf8, write_first, write_whole
 from quintrig.support.parsing import parse
 from quintrig.sweep.part import Task, column_unit, columns
 from quintrig.sweep.space import DesignSpace
@@ -117,7 +118,7 @@ def open_sweep(folder: Path, task: Task) -> Sweep:
     Raises QuintrigError where the folder holds another sweep or other files, cannot be written, or the disk is too
     small.
     """
-    require("pyarrow", "sweep")
+    need("pyarrow", "a sweep")
     require_utf8(folder, "a folder")
     description = _describe(task)
     if folder.is_dir():

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from quintrig.analysis.sample import analyse
 from quintrig.analysis.singular_edges import NEAR, NEARER, across, along, has_no_bound
+from quintrig.developables.regression import inner_regression
 from quintrig.geometry.domain import grid
-from quintrig.geometry.envelope import inner_regression
 from quintrig.geometry.surface import Surface
 from quintrig.support.arrays import FloatArray
 from quintrig.support.tolerance import SINGULAR

@@ -1,6 +1,7 @@
 /** What the studio can ask of the world it runs in: the local server, a page from disk, or a notebook. */
 
-import { fromDict, ModelError, type Model } from "../numerics/model";
+import type { Built } from "../numerics/built";
+import { fromDict, ModelError, type Model, type Patch } from "../numerics/model";
 import { fromToml, toToml } from "../toml";
 import { download, fileName } from "../ui/dom";
 import type { Source } from "./state";
@@ -126,6 +127,11 @@ export class LiveHost implements Host {
     const { name, notes, content } = (await this.ask("POST", "api/export", body)) as Delivered & { content: string };
     download(name, new Blob([Uint8Array.from(atob(content), (letter) => letter.charCodeAt(0))]));
     return { name, notes };
+  }
+
+  /** The surfaces of patches that the page cannot build. */
+  async build(patches: readonly Patch[]): Promise<readonly Built[]> {
+    return ((await this.ask("POST", "api/build", JSON.stringify({ patches: JSON.stringify(patches) }))) as { built: Built[] }).built;
   }
 
   private async ask(method: string, path: string, body?: string): Promise<unknown> {

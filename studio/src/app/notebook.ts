@@ -1,16 +1,20 @@
 /** The studio in Jupyter (anywidget): model, quantity and height are the same in kernel and page, whichever side changes them. */
 
-import { fromDict, toDict } from "../numerics/model";
+import { connect, learn, type Ask, type Built } from "../numerics/built";
+import type { Installed } from "../numerics/kinds";
+import { fromDict, install, toDict } from "../numerics/model";
 import { QUANTITY } from "../numerics/quantity";
 import { PageHost } from "./host";
+import { renew } from "./renewed";
 import { reachable, shelter } from "./shelter";
 import { Studio } from "./studio";
 
 interface WidgetModel {
   get(key: string): unknown;
   set(key: string, value: unknown): void;
-  on(event: string, act: () => void): void;
-  off(event: string, act: () => void): void;
+  on(event: string, act: (content?: unknown) => void): void;
+  off(event: string, act: (content?: unknown) => void): void;
+  send?(content: unknown): void;
   save_changes(): void;
 }
 
@@ -32,13 +36,32 @@ function telling(model: WidgetModel): (key: string, value: () => unknown) => voi
   };
 }
 
+/** Asks the kernel, by messages, for the surfaces of patches that the page cannot build. */
+function asking(model: WidgetModel, hear: (event: string, act: (content?: unknown) => void) => void): Ask {
+  let answer: ((built: readonly Built[]) => void) | null = null;
+  hear("msg:custom", (content) => {
+    const { built } = (content ?? {}) as { built?: readonly Built[] };
+    if (built) answer?.(built);
+  });
+  return (patches) => new Promise((done) => {
+    answer = done;
+    model.send?.({ build: patches });
+  });
+}
+
 export function render({ model, el }: { model: WidgetModel; el: HTMLElement }): () => void {
   const tell = telling(model);
-  const heard: [string, () => void][] = [];
-  const hear = (key: string, act: () => void) => {
-    heard.push([`change:${key}`, act]);
-    model.on(`change:${key}`, act);
+  const heard: [string, (content?: unknown) => void][] = [];
+  const listen = (event: string, act: (content?: unknown) => void) => {
+    heard.push([event, act]);
+    model.on(event, act);
   };
+  const hear = (key: string, act: () => void) => listen(`change:${key}`, act);
+  const brought = (model.get("brought") ?? {}) as Installed & { built?: readonly Built[] };
+  install(brought);
+  learn(brought.built ?? []);
+  let made: Studio | null = null;
+  const leave = connect(asking(model, listen), () => made && renew(made.store));
   const text = (now: Parameters<typeof toDict>[0]) => JSON.stringify(toDict(now));
   const colour = () => String(model.get("quantity"));
   let echo = "";
@@ -51,6 +74,7 @@ export function render({ model, el }: { model: WidgetModel; el: HTMLElement }): 
       tell("model", () => JSON.parse(echo) as unknown);
     },
   }));
+  made = studio;
   const { store } = studio;
   echo = text(store.state.model);
   hear("model", () => {
@@ -80,6 +104,7 @@ export function render({ model, el }: { model: WidgetModel; el: HTMLElement }): 
   sizes.observe(el);
   return () => {
     for (const [event, act] of heard) model.off(event, act);
+    leave();
     sizes.disconnect();
     studio.dispose();
   };

@@ -1,7 +1,9 @@
 /** The state of the studio and the one place that changes it. */
 
 import data from "../data.json";
-import { fromDict, type Model, type Patch } from "../numerics/model";
+import { refusal } from "../numerics/built";
+import { drawnHere } from "../numerics/builders";
+import { fromDict, STARTERS, type Model, type Patch } from "../numerics/model";
 import { remember, type Settings } from "./settings";
 
 /** What else is shown beside the model. */
@@ -81,6 +83,8 @@ export class Store {
   /** Replace the model. Edits of one gesture (a drag, a slider held) are one step of undo. */
   edit(model: Model, gesture: string | null = null): void {
     if (model === this.state.model) return;
+    const fixed = model.patches.find((patch) => !drawnHere(patch) && refusal(patch));
+    if (fixed) return this.set({ message: { kind: "error", text: refusal(fixed) } });
     if (gesture === null || gesture !== this.gesture) {
       this.remember();
     }
@@ -164,6 +168,6 @@ export const shapeSets = (count: number): readonly (readonly number[])[] =>
   (data.shapeSets as Record<string, number[][]>)[String(count)] ?? [];
 
 /** A starter model of a kind. */
-export const starterOf = (kind: string): Model => fromDict((data.starters as Record<string, unknown>)[kind]);
+export const starterOf = (kind: string): Model => fromDict(STARTERS[kind]);
 
 export const activePatch = (state: State): Patch => state.model.patches[state.patch]!;

@@ -2,7 +2,7 @@
 
 import { reflected } from "../numerics/construct";
 import type { Patch } from "../numerics/model";
-import { build, valueOf } from "../numerics/model";
+import { build, KINDS, valueOf } from "../numerics/model";
 import { analyse } from "../numerics/sample";
 import type { Surface } from "../numerics/surface";
 import { planeOf } from "./way";
@@ -67,9 +67,13 @@ export function handles(patch: Patch, surface: Surface): Handle[] {
       ...planes("planes", list<Vec>("planes"), surface, (i) => [i / 5, 0.5], BLUE),
       ...planes("bounds", list<Vec>("bounds"), surface, (i) => [0.5, i], TEAL),
     ];
-    default: return [];
+    default: return nets(patch).flatMap(([key, depth], i) => (depth === 2 ? net(list<Vec[]>(key), key) : polygon(key, list<Vec>(key), ALL, i ? TEAL : BLUE)));
   }
 }
+
+/** The keys of a kind that hold points in space, with how deep: 1 for the points of a curve, 2 for a net's. */
+const nets = (patch: Patch): [string, number][] =>
+  Object.entries(KINDS[patch.kind]?.fields ?? {}).flatMap(([key, field]) => (field.type === "points" && field.dimension === 3 ? [[key, field.counts!.length]] : []));
 
 /** The patch after a handle was moved to a point (as near as the handle allows). */
 export function moved(patch: Patch, handle: Handle, to: Vec): Patch {
@@ -114,10 +118,10 @@ const tidy = (x: number): number => Number(x.toPrecision(12)) + 0;
 /** An index in subscript digits. */
 const lowered = (index: number): string => String(index).replace(/\d/g, (c) => "₀₁₂₃₄₅₆₇₈₉"[Number(c)]!);
 
-function net(rows: readonly (readonly Vec[])[]): Handle[] {
+function net(rows: readonly (readonly Vec[])[], key = "points"): Handle[] {
   if (rows.length * (rows[0]?.length ?? 0) > LARGEST_NET) return [];
   return rows.flatMap((row, i) => row.map((position, j) => ({
-    id: `points[${i}][${j}]`, key: "points", index: [i, j], label: `P${lowered(i)}${i > 9 || j > 9 ? "," : ""}${lowered(j)}`, position, free: ALL, tint: BLUE,
+    id: `${key}[${i}][${j}]`, key, index: [i, j], label: `P${lowered(i)}${i > 9 || j > 9 ? "," : ""}${lowered(j)}`, position, free: ALL, tint: BLUE,
   })));
 }
 

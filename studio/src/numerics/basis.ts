@@ -3,7 +3,8 @@
 import { cosine, sinCos, sine, store, type Functions } from "./functions";
 import { combine, jet, jets, powers, product, quotient, type Jet } from "./taylor";
 
-export type BasisName = "trigonometric" | "bernstein";
+/** A key of BASES. */
+export type BasisName = string;
 
 const s = jet(), c = jet(), a = jet(), b = jet(), one = jet();
 const a2 = jet(), b2 = jet(), both = jet(), factor = jet(), work = jet();
@@ -12,7 +13,7 @@ one[0] = 1;
 
 /** Whether a surface stands still at t = 0, and at t = 1. */
 export type Still = readonly [boolean, boolean];
-const MOVING: Still = [false, false];
+export const MOVING: Still = [false, false];
 
 /** The six quintic trigonometric Bézier functions (Misro, Ramli and Ali 2017; thesis eq. 2.2). */
 export class Trigonometric implements Functions {
@@ -101,9 +102,18 @@ export class Bernstein implements Functions {
   }
 }
 
+/** A basis of control points: its functions for this many of them, with shape parameters on which it may depend. */
+type Basis = (points: number, alpha: number, zeta: number, still: Still) => Functions;
+
+/** Every basis on which the page builds by itself, by name; surfaces on any other are built by Python. */
+export const BASES: Readonly<Record<string, Basis>> = {
+  trigonometric: (_, alpha, zeta, still) => new Trigonometric(alpha, zeta, still),
+  bernstein: (points) => new Bernstein(points - 1),
+};
+
 /** The basis called `name` for this many control points. */
 export function family(name: BasisName, points: number, alpha: number, zeta: number, still = MOVING): Functions {
-  return name === "trigonometric" ? new Trigonometric(alpha, zeta, still) : new Bernstein(points - 1);
+  return BASES[name]!(points, alpha, zeta, still);
 }
 
 /** Whether a surface on these rows of points stands still at either end: as at -4, or where two rows coincide. */

@@ -34,7 +34,9 @@ export function shapeClass(index: number, code: number): number {
   if (code === 0) return 0;
   if (code === 5) return 10;
   let result = 1;
-  for (const edge of [-0.875, -0.625, -0.375, -0.125]) if (index >= edge) result++;
-  for (const edge of [0.125, 0.375, 0.625, 0.875]) if (index > edge) result++;
+  for (const edge of data.shapeBreaks) {
+    if (index >= -edge) result++;
+    if (index > edge) result++;
+  }
   return result;
 }

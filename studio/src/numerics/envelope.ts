@@ -1,10 +1,13 @@
 /** The enveloping developable: the strip that a one-parameter family of planes touches (thesis §3.3). */
 
+import data from "../data.json";
 import { Bernstein, Trigonometric } from "./basis";
 import type { Vector } from "./construct";
 import { localOrigin, movedPlane } from "./origin";
 import type { Rows, Surface } from "./surface";
 import { jets } from "./taylor";
+
+const { noise: NOISE, rounding: ROUNDING } = data.limits;
 
 /** The strip enveloped by Π(t) = Σ f_i(t; α, ζ) L_i between two bounding planes; Error where there is none. */
 export function developable(planes: readonly Vector[], bounds: readonly Vector[], shape: readonly number[], flip: boolean): Surface {
@@ -37,7 +40,7 @@ function stripOrigin(rows: Envelope): number[] {
  * and Π', and b that of a bounding plane, n·A + d = 0 and n·A' = b·A' = 0, so A' = λ b × n with λ from the derivative of
  * Π'. Worked out in this order, the strip keeps its accuracy near the edge of regression.
  */
-class Envelope implements Rows {
+export class Envelope implements Rows {
   readonly size = 2;
   readonly dimension = 3;
   private readonly edges: number[][];
@@ -79,7 +82,7 @@ class Envelope implements Rows {
       longest[1] = Math.max(longest[1]!, Math.hypot(...second));
       this.bounds.forEach((cut, j) => (volumes[j] = Math.max(volumes[j]!, Math.abs(dot(cross(first, second), cut)))));
     }
-    return volumes.every((volume, j) => volume > 1e-12 * longest[0]! * longest[1]! * Math.hypot(...this.bounds[j]!.slice(0, 3)));
+    return volumes.every((volume, j) => volume > NOISE * longest[0]! * longest[1]! * Math.hypot(...this.bounds[j]!.slice(0, 3)));
   }
 
   /** The series of Π and of Π' at point p, the latter without the factors that vanish where Π stands still. */
@@ -94,7 +97,7 @@ class Envelope implements Rows {
     const slope = orders.map((k) => parts.map((x) => this.hodograph.reduce((sum, g, i) => sum + g[k]! * this.edges[i]![x]!, 0)));
     // Where the terms cancel to nothing the planes turn back, and rounding must not choose the ruling.
     const terms = parts.map((x) => this.hodograph.reduce((sum, g, i) => sum + Math.abs(g[0]! * this.edges[i]![x]!), 0));
-    if (parts.every((x) => Math.abs(slope[0]![x]!) <= 64 * Number.EPSILON * terms[x]!)) slope[0]!.fill(NaN);
+    if (parts.every((x) => Math.abs(slope[0]![x]!) <= ROUNDING * terms[x]!)) slope[0]!.fill(NaN);
     return { plane, slope };
   }
 }
@@ -128,7 +131,7 @@ export function regression(surface: Surface, samples = 257): Edge[] {
   // Where both vanish the whole ruling is singular, as at an end with shape parameter -4: no edge crosses there.
   const sizes = pairs.map(([a, b]) => Math.max(Math.abs(a), Math.abs(b)));
   const known = sizes.filter((size) => !Number.isNaN(size)).sort((a, b) => a - b);
-  const least = 1e-12 * (known[known.length >> 1] ?? 0);
+  const least = NOISE * (known[known.length >> 1] ?? 0);
   const edges: Edge[] = [];
   let open = false;
   pairs.forEach(([a, b], p) => {

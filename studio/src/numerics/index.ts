@@ -3,3 +3,8 @@
 export { analyse } from "./sample";
 export { build, fromDict, toDict, type Model, type Patch } from "./model";
 export { QUANTITIES, QUANTITY } from "./quantity";
+export { besl, pointType, shapeClass } from "./classify";
+export { BASES } from "./basis";
+export { BUILDERS } from "./builders";
+export { FAMILIES, functionsOf } from "./families";
+export { install, KINDS } from "./kinds";

@@ -13,7 +13,8 @@ import { extent, type Surface } from "./surface";
 /** A point is singular where |S_u × S_v| <= SINGULAR size². */
 export const SINGULAR = data.limits.singular;
 
-const NOISE = 1e-12; // curvedness times size at or below this is rounding of a plane
+/** Curvedness times size at or below this is rounding of a plane. */
+const NOISE = data.limits.noise;
 
 /** Scratch planes, each of one number a point. */
 export const PLANE = {
@@ -233,7 +234,7 @@ function write(grid: Grid, key: string, out: Numbers, thresholds: Thresholds): v
         invariantsAt(grid, p, true);
         const half = 0.5 * six[1]!, square = 2 * half * half - six[2]!;
         // Rounding must not make a negative root; NaN stays NaN.
-        out[p] = besl(six[2]!, half, Math.sqrt(square < 0 ? 0 : square), relative, flat);
+        out[p] = besl(six[2]!, half, Math.sqrt(Math.max(square, 0)), relative, flat);
       }
       return;
   }

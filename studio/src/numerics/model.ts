@@ -1,40 +1,16 @@
 /** Models: the same keys as a model file, checked, and the surfaces built from them. */
 
 import data from "../data.json";
-import type { BasisName } from "./basis";
-import { ruled, swept, swung, symmetric, tensor, type Options, type Vector } from "./construct";
-import { developable } from "./envelope";
-import { nurbs } from "./nurbs";
-import * as reference from "./reference";
+import { buildHere, drawnHere } from "./builders";
+import { learn, Pending, surfaceOf, type Built } from "./built";
+import { KINDS, ModelError, type Patch } from "./kinds";
 import type { Surface } from "./surface";
 
-export interface Field {
-  readonly type: "points" | "shape" | "plane" | "number" | "positive" | "boolean" | "choice" | "raw";
-  readonly description: string;
-  readonly required: boolean;
-  readonly default?: unknown;
-  readonly counts?: readonly number[];
-  readonly dimension?: number;
-  readonly choices?: readonly string[];
-}
+export { install, KINDS, ModelError, shapeOf, STARTERS, valueOf, type Field, type Kind, type Patch } from "./kinds";
 
-export interface Kind {
-  readonly title: string;
-  readonly construction: boolean;
-  readonly fields: Readonly<Record<string, Field>>;
-}
-
-export const KINDS = data.kinds as unknown as Readonly<Record<string, Kind>>;
 export const UNITS: readonly string[] = data.units;
 export const SHAPE_RANGE = data.shapeRange as [number, number];
-const LARGEST = 1e50;
-
-/** What a model file says of one surface; never changed, only replaced. */
-export interface Patch {
-  readonly kind: string;
-  readonly name: string;
-  readonly [key: string]: unknown;
-}
+const { largest: LARGEST, largestPolygon: LARGEST_POLYGON } = data.limits;
 
 /** A model: name, unit of length (empty: plain numbers) and patches. Values, never changed. */
 export interface Model {
@@ -43,13 +19,11 @@ export interface Model {
   readonly patches: readonly Patch[];
 }
 
-/** A model that cannot be used: where, what was expected, what was found. */
-export class ModelError extends Error {}
-
 /** Read the keys of a model file; ModelError in one line. */
 export function fromDict(source: unknown): Model {
   if (!isTable(source)) throw new ModelError(`model: expected keys and values, got ${spell(source)}`);
-  const { schema = data.schema, name = "", unit = "", patch, ...rest } = source;
+  const { schema = data.schema, name = "", unit = "", patch, built, ...rest } = source;
+  if (built) learn(built as Built[]); // what Python built of it comes with a model
   if (schema !== data.schema) throw new ModelError(`schema: expected ${data.schema}, got ${spell(schema)}; this quintrig reads version 1`);
   if (unit !== "" && !UNITS.includes(unit as string)) {
     throw new ModelError(`unit: expected one of ${UNITS.join(", ")}, got ${spell(unit)}; leave it out for plain numbers`);
@@ -80,58 +54,24 @@ export function toDict(model: Model): Record<string, unknown> {
   return { ...header, patch: model.patches };
 }
 
-/** Build the surface of a patch; ModelError where its values do not go together. */
+/** The surface of a patch, built here or by Python; ModelError where its values do not go together. */
 export function build(patch: Patch): Surface {
-  const get = <T>(key: string): T => (patch[key] ?? KINDS[patch.kind]!.fields[key]!.default) as T;
-  const flip = get<boolean>("flip");
-  const size = (key: string) => get<number>(key);
-  const curve = (key: string) => get<Vector[]>(key);
-  const bezier = (): Options => ({ basis: get<BasisName>("basis"), flip });
-  const shape = () => get<number[]>("shape");
+  if (!drawnHere(patch)) return surfaceOf(patch);
   try {
-    switch (patch.kind) {
-      case "tensor": return tensor(get<Vector[][]>("points"), shape(), bezier());
-      case "symmetric": return symmetric(get<Vector[][]>("points"), get<Vector>("mirror"), shape(), bezier());
-      case "swept": return swept(curve("section"), curve("trajectory"), shape(), bezier());
-      case "swung": return swung(curve("profile"), curve("trajectory"), shape(), size("scale"), bezier());
-      case "ruled": return ruled(curve("first"), curve("second"), shape(), bezier());
-      case "developable": return developable(curve("planes"), curve("bounds"), shape(), flip);
-      case "nurbs": return nurbs(get<Vector[][]>("points"), get<Vector[] | null>("weights"), get<Vector>("degrees"), get<Vector[]>("knots"), flip);
-      case "sphere": return reference.sphere(size("radius"), flip);
-      case "ellipsoid": return reference.ellipsoid(size("a"), size("b"), size("c"), flip);
-      case "cylinder": return reference.cylinder(size("radius"), size("height"), flip);
-      case "cone": return reference.cone(size("radius"), size("height"), flip);
-      case "torus": return reference.torus(size("major"), size("minor"), flip);
-      case "catenoid": return reference.catenoid(size("waist"), size("height"), flip);
-      case "helicoid": return reference.helicoid(size("radius"), size("pitch"), flip);
-      case "hyperbolic_paraboloid": return reference.hyperbolicParaboloid(size("size"), flip);
-      case "monkey_saddle": return reference.monkeySaddle(size("size"), flip);
-      case "enneper": return reference.enneper(size("size"), flip);
-    }
+    return buildHere(patch);
   } catch (error) {
     throw new ModelError(`patch "${patch.name}": ${(error as Error).message}`);
   }
-  throw new ModelError(`patch "${patch.name}": kind: a ${patch.kind} cannot be drawn in the browser`);
-}
-
-/** Shape parameters of a patch, empty for kinds that have none. */
-export function shapeOf(patch: Patch): readonly number[] {
-  return (patch["shape"] ?? KINDS[patch.kind]?.fields["shape"]?.default ?? []) as number[];
-}
-
-/** The value of a key, or its default. */
-export function valueOf(patch: Patch, key: string): unknown {
-  return patch[key] ?? KINDS[patch.kind]?.fields[key]?.default;
 }
 
 function checked(keys: Record<string, unknown>): Patch {
   const place = `patch "${String(keys["name"])}"`;
-  const kind = KINDS[String(keys["kind"])];
-  if (!kind) throw new ModelError(`${place}: kind: expected one of ${Object.keys(KINDS).join(", ")}, got ${spell(keys["kind"])}`);
+  const known = Object.hasOwn(KINDS, String(keys["kind"])), kind = KINDS[String(keys["kind"])];
+  if (!known || !kind) throw new ModelError(`${place}: kind: expected one of ${Object.keys(KINDS).join(", ")}, got ${spell(keys["kind"])}`);
   const fail = (message: string): never => {
     throw new ModelError(`${place}: ${message}`);
   };
-  for (const key of Object.keys(keys)) if (key !== "kind" && key !== "name" && !kind.fields[key]) fail(`unknown key '${key}'`);
+  for (const key of Object.keys(keys)) if (key !== "kind" && key !== "name" && !Object.hasOwn(kind.fields, key)) fail(`unknown key '${key}'`);
   const bernstein = keys["basis"] === "bernstein";
   for (const [key, field] of Object.entries(kind.fields)) {
     const value = keys[key];
@@ -143,21 +83,24 @@ function checked(keys: Record<string, unknown>): Patch {
     else if (field.type === "boolean" && typeof value !== "boolean") fail(`${key}: expected true or false, got ${spell(value)}`);
     else if (field.type === "choice" && !field.choices!.includes(value as string)) fail(`${key}: expected one of ${field.choices!.join(", ")}, got ${spell(value)}`);
     else if (field.type === "plane") numbers(value, key, 4, fail);
-    else if (field.type === "shape") shape(value, key, (field.default as number[]).length, keys["unchecked_shape"] === true, fail);
+    else if (field.type === "shape") shape(value, key, kind.shapeNames, keys["unchecked_shape"] === true, fail);
     else if (field.type === "points") points(value, key, bernstein ? field.counts!.map(() => 0) : field.counts!, field.dimension!, fail);
   }
   const patch = keys as unknown as Patch;
-  build(patch);
+  try {
+    build(patch);
+  } catch (error) {
+    if (!(error instanceof Pending)) throw error;
+  }
   return patch;
 }
 
 type Fail = (message: string) => never;
 
-function shape(value: unknown, key: string, count: number, unchecked: boolean, fail: Fail): void {
-  const names = count === 2 ? ["alpha", "zeta"] : ["alpha1", "zeta1", "alpha2", "zeta2"];
-  numbers(value, key, count, fail).forEach((x, i) => {
+function shape(value: unknown, key: string, names: readonly string[], unchecked: boolean, fail: Fail): void {
+  numbers(value, key, names.length, fail).forEach((x, i) => {
     if (!unchecked && !(x >= SHAPE_RANGE[0] && x <= SHAPE_RANGE[1])) {
-      fail(`shape[${i}] (${names[i]}) = ${x} is outside [-4, 1], where the basis is non-negative; choose a value in the range, or set unchecked_shape = true and lose the convex-hull property`);
+      fail(`shape[${i}] (${names[i]}) = ${x} is outside [${SHAPE_RANGE.join(", ")}], where the basis is non-negative; choose a value in the range, or set unchecked_shape = true and lose the convex-hull property`);
     }
   });
 }
@@ -167,8 +110,8 @@ function points(value: unknown, key: string, counts: readonly number[], dimensio
   if (!Array.isArray(value)) return fail(`${key}: expected a list, got ${spell(value)}`);
   const wanted = counts[0]!;
   const rows = counts.length === 2;
-  if (wanted ? value.length !== wanted : value.length < 2 || value.length > 64) {
-    fail(`${key}: expected ${wanted || "2 to 64"} ${rows ? "rows" : "points"}, got ${value.length}`);
+  if (wanted ? value.length !== wanted : value.length < 2 || value.length > LARGEST_POLYGON) {
+    fail(`${key}: expected ${wanted || `2 to ${LARGEST_POLYGON}`} ${rows ? "rows" : "points"}, got ${value.length}`);
   }
   value.forEach((row, i) => points(row, `${key}[${i}]`, counts.slice(1), dimension, fail));
   if (rows && value.some((row: unknown[]) => row.length !== (value[0] as unknown[]).length)) fail(`${key}: expected rows of equal length`);
@@ -181,10 +124,13 @@ function numbers(value: unknown, key: string, count: number, fail: Fail): number
   return value as number[];
 }
 
+/** The largest size of a number, as Python spells it. */
+const MOST = LARGEST.toExponential().replace("e+", "e");
+
 function number(value: unknown, key: string, fail: Fail, positive: boolean): void {
   if (typeof value !== "number") fail(`${key}: expected a number, got ${spell(value)}`);
   if (!Number.isFinite(value)) fail(`${key}: expected a finite number, got ${String(value)}`);
-  if (Math.abs(value as number) > LARGEST) fail(`${key}: expected a number of size at most 1e50, got ${String(value)}`);
+  if (Math.abs(value as number) > LARGEST) fail(`${key}: expected a number of size at most ${MOST}, got ${String(value)}`);
   if (positive && !((value as number) > 0)) fail(`${key}: expected a number greater than 0, got ${String(value)}`);
 }
 

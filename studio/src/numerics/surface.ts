@@ -1,5 +1,6 @@
 /** The one surface type: rows Q_j(u), curves in u, blended by scalar functions D_j(v). */
 
+import data from "../data.json";
 import type { Functions } from "./functions";
 
 /** The curves Q_j(u) of a surface: 3 coordinates, or 4 homogeneous ones. */
@@ -58,14 +59,14 @@ export interface Surface {
 /** Which way the normal points, against or along S_u × S_v; closed forms turn it outwards by themselves. */
 export const normalSide = (surface: Surface): "along" | "against" => (surface.flip ? "against" : "along");
 
-const SIDE = 17;
+const { stepsForSize: SIDE, farOff: FAR_OFF, samePoint: SAME_POINT } = data.limits;
 const STEPS = Float64Array.from({ length: SIDE }, (_, i) => i / (SIDE - 1));
 
 const found = new Float64Array(3 * SIDE * SIDE);
 const away = new Float64Array(SIDE * SIDE);
 
 /**
- * Smallest and largest coordinates of 17 × 17 points of the surface, and the diagonal between them, length¹. Points that
+ * Smallest and largest coordinates of a grid of points of the surface, and the diagonal between them, length¹. Points that
  * lie as good as at infinity are left out.
  */
 export function extent(surface: Surface): { low: number[]; high: number[]; size: number } {
@@ -95,7 +96,7 @@ export function extent(surface: Surface): { low: number[]; high: number[]; size:
   for (let p = 0; p < count; p++) {
     away[p] = Math.max(Math.abs(found[3 * p]! - mx), Math.abs(found[3 * p + 1]! - my), Math.abs(found[3 * p + 2]! - mz));
   }
-  const reach = 1e6 * median(away.slice(0, count)) || Infinity;
+  const reach = FAR_OFF * median(away.slice(0, count)) || Infinity;
   for (let p = 0; p < count; p++) {
     if (away[p]! > reach) continue;
     for (let x = 0; x < 3; x++) {
@@ -110,8 +111,7 @@ export function extent(surface: Surface): { low: number[]; high: number[]; size:
     high[x]! += origin[x]!;
   }
   const largest = Math.max(...low.map(Math.abs), ...high.map(Math.abs));
-  // What is left of a single point after rounding is no size.
-  return { low, high, size: diagonal > 32 * Number.EPSILON * largest ? diagonal : 0 };
+  return { low, high, size: diagonal > SAME_POINT * largest ? diagonal : 0 };
 }
 
 function median(values: Float64Array): number {

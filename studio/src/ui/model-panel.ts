@@ -1,9 +1,11 @@
 /** The left panel: patches, construction, and the control points as numbers. */
 
 import { activePatch, starterOf, type State, type Store } from "../app/state";
+import { converted } from "../edit/convert";
 import { handles, moved, replaced, type Handle } from "../edit/handles";
 import { build, KINDS, UNITS, valueOf, type Kind, type Patch } from "../numerics/model";
 import { choice, numberField, section, segmented, toggle, type Control } from "./controls";
+import { ask } from "./dialogs";
 import { h } from "./dom";
 import { capital } from "./format";
 
@@ -32,7 +34,7 @@ export class ModelPanel {
       { label: "Closed forms", options: kinds((kind) => !kind.construction && !kind.fields["points"]) },
       { label: "From CAD", options: kinds((kind) => !kind.construction && !!kind.fields["points"]) },
     ];
-    this.kind = choice("Construction", groups, (kind) => this.become(kind));
+    this.kind = choice("Construction", groups, (kind) => void this.become(kind));
     this.unit = choice("Unit of length", [{ label: "", options: [{ value: "", label: "no unit" }, ...UNITS.map((u) => ({ value: u, label: u }))] }], (unit) => store.edit({ ...store.state.model, unit }));
     this.flip = toggle("Turn the normal", (flip) => store.editPatch({ ...activePatch(store.state), flip }), undefined, "The signs of H, κ1, κ2 and S follow the normal");
     this.basis = segmented("Basis", [
@@ -158,11 +160,19 @@ export class ModelPanel {
     this.store.set({ selected: next.id });
   }
 
-  /** Put the starter of another construction in place of the patch, keeping its name. */
-  private become(kind: string): void {
-    const { name } = activePatch(this.store.state);
-    this.store.set({ selected: null });
-    this.store.editPatch({ ...starterOf(kind).patches[0]!, name });
+  /** Make the patch another construction: the same surface where that can hold it, else its starter, when that is wanted. */
+  private async become(kind: string): Promise<void> {
+    const { store } = this, patch = activePatch(store.state), { patch: at, opened } = store.state;
+    let next = converted(patch, kind);
+    if (!next) {
+      const root = this.element.closest<HTMLElement>(".studio")!;
+      const answer = await ask(root, "Another surface?", [h("p", {}, `“${patch.name}” cannot be kept exactly as “${spoken(kind)}”: a new surface to start from would take its place.`)], [["stay", "Keep it"], ["replace", "Start anew"]]);
+      if (answer === "replace") next = { ...starterOf(kind).patches[0]!, name: patch.name };
+    }
+    const same = store.state.patch === at && store.state.opened === opened && activePatch(store.state) === patch;
+    if (!next || !same) return this.kind.update(activePatch(store.state).kind);
+    store.set({ selected: null });
+    store.editPatch(next);
   }
 }
 
@@ -175,4 +185,6 @@ export function nudge(store: Store, by: readonly number[]): void {
 
 const kinds = (test: (kind: Kind) => boolean) =>
   Object.entries(KINDS).filter(([, kind]) => test(kind))
-    .map(([value]) => ({ value, label: value === "nurbs" ? "NURBS" : capital(value.replaceAll("_", " ")) }));
+    .map(([value]) => ({ value, label: capital(spoken(value)) }));
+
+const spoken = (kind: string): string => (kind === "nurbs" ? "NURBS" : kind.replaceAll("_", " "));

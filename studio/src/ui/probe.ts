@@ -1,5 +1,6 @@
 /** The probe: what is under the pointer, and a table of pinned points. */
 
+import data from "../data.json";
 import type { Pin, State, Store } from "../app/state";
 import { build, type Model, type Patch } from "../numerics/model";
 import { QUANTITIES, QUANTITY, type Quantity } from "../numerics/quantity";
@@ -20,7 +21,7 @@ export function probe(model: Model, pin: Pin): Sample {
 export function told(sample: Sample, q: Quantity, part = 0): number {
   const value = sample[q.key]![part]!;
   if (q.colour === "classes" || q.power >= 0) return value;
-  return Math.abs(value) <= 1e-12 * sample["curvedness"]![0]! ** -q.power ? 0 : value;
+  return Math.abs(value) <= data.limits.noise * sample["curvedness"]![0]! ** -q.power ? 0 : value;
 }
 
 const normalOf = (patch: Patch, named: boolean): string =>

@@ -6,6 +6,7 @@ type Vec = readonly number[];
 type Spot = readonly [number, number];
 
 const ARM = 58, INNER = 18, SQUARE = [0.38, 0.62] as const; // pixels, and shares of the arm
+const HIT = 2; // pixels from the middle of an arm
 const SHORTEST = 16, SMALLEST = 50; // pixels along and square: less is seen end-on or edge-on, and cannot be aimed at
 
 export interface Part {
@@ -41,10 +42,10 @@ export function gizmo(stage: Stage, cell: number, at: Vec, free: readonly boolea
   ];
 }
 
-/** The part under a point of the canvas. */
+/** The part under a point of the canvas: an arm that is hit, a square, or an arm that is nearly hit. */
 export function partAt(parts: readonly Part[], x: number, y: number, near: number): Part | null {
-  const on = ({ outline }: Part) => (outline.length === 2 ? beside(outline[0]!, outline[1]!, x, y) < near : inside(outline, x, y));
-  return parts.findLast(on) ?? null;
+  const armWithin = (reach: number) => parts.findLast(({ outline: [p, q, ...rest] }) => !rest.length && beside(p!, q!, x, y) < reach);
+  return armWithin(HIT) ?? parts.findLast(({ outline }) => outline.length > 2 && inside(outline, x, y)) ?? armWithin(near) ?? null;
 }
 
 const area = (outline: readonly Spot[]): number =>

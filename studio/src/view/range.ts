@@ -1,5 +1,6 @@
 /** The ends of the colour map, common to everything shown, as the report's figures choose them. */
 
+import data from "../data.json";
 import { PLANE } from "../numerics/kernel";
 import type { Quantity } from "../numerics/quantity";
 import type { Settings } from "../app/settings";
@@ -25,8 +26,8 @@ export interface Range {
   readonly histogram: readonly number[];
 }
 
-const NOISE = 1e-9; // of the scale: a range as narrow as this shows nothing
-const ROUNDING = 1e-12; // of the scale, as in Python's tables
+/** Shares of the scale: a range as narrow as the first shows nothing, the second is rounding. */
+const { sameColour: NOISE, noise: ROUNDING } = data.limits;
 const BINS = 48;
 let bends = new Float32Array(0);
 

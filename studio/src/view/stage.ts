@@ -1,6 +1,6 @@
 /** The picture: cells side by side, each with the surfaces of one model, drawn by one renderer through one camera. */
 
-import { Color, Vector2, Vector3, WebGLRenderer } from "three";
+import { Color, type Vector2, Vector3, WebGLRenderer } from "three";
 import type { Settings } from "../app/settings";
 import { BACK, FRONT, UNDEFINED, type Rgb } from "../ui/colours";
 import { Orbit, VIEWS, type ViewName } from "./camera";

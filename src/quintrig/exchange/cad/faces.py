@@ -83,8 +83,12 @@ def to_model(contents: Contents, place: str, numbers: Sequence[int] | None = Non
     Raises QuintrigError, naming the file as ``place``, where there is none, or no face of a number.
     """
     if not contents.faces:
-        curves = f", only {len(contents.curves)} curves (--curve copies one)" if contents.curves else ""
-        raise QuintrigError(f"{place}: expected a file with surfaces, found none{curves}; export the faces as NURBS")
+        curves = f", only {len(contents.curves)} curves" if contents.curves else ""
+        raise QuintrigError(
+            f"{place}: expected a file with surfaces, found none{curves}",
+            remedy="export the faces as NURBS",
+            key="curves" if curves else "",
+        )
     chosen = [_pick(contents, place, number) for number in numbers] if numbers else list(contents.faces)
     usable = [face for face in chosen if not face.problem]
     if not usable or (numbers and len(usable) < len(chosen)):
@@ -117,8 +121,10 @@ def _pick(contents: Contents, place: str, number: int) -> Face:
         if face.number == number:
             return face
     raise QuintrigError(
-        f"{place}: expected a face from 1 to {len(contents.faces)}, found {number}; "
-        f"quintrig import {place} --list shows them"
+        f"{place}: expected a face from 1 to {len(contents.faces)}, found {number}",
+        remedy="contents(path).faces lists them",
+        key="faces",
+        file=place,
     )
 
 

@@ -43,7 +43,7 @@ class MeshOptions:
     def __post_init__(self) -> None:
         """Check the names once."""
         for key in (*self.quantities, *([self.colour] if self.colour else [])):
-            if quantity(key).colour == "vector":
+            if quantity(key).kind == "vector":
                 raise ValueError(f"{key} is a vector; choose a quantity with one value at a point, such as gaussian")
         if self.tolerance is not None and self.grid is not None:
             raise ValueError("mesh: expected a tolerance or a grid, found both")
@@ -131,7 +131,7 @@ def _colours(result: Mesh, model: Model, shown: Quantity, ends: tuple[float, flo
     values = result.values[shown.key]
     singular = int((~np.isfinite(result.values["mean"])).sum()) if "mean" in result.values else 0
     grey = f"; {singular} singular points grey" if singular else ""
-    if shown.colour == "classes":
+    if shown.kind == "class":
         return palette.class_colours(values, shown.key), f"colours show the {shown.name}{grey}"
     real = np.asarray(values, dtype=np.float64)
     stretch = palette.limits(real, shown) if ends is None else palette.between(real, *ends)

@@ -12,7 +12,7 @@ from quintrig.exchange.pattern.drawing import Drawing
 from quintrig.exchange.pattern.layout import PatternOptions, drawing
 from quintrig.model.model import Patch
 from quintrig.support.arrays import BoolArray, FloatArray
-from quintrig.support.errors import QuintrigError
+from quintrig.support.errors import Note, QuintrigError
 from quintrig.support.files import write_whole
 
 SUFFIXES = suffixes("pattern")
@@ -100,8 +100,8 @@ def _cautions(page: Drawing) -> tuple[str, ...]:
     outlines = [line.points for line in page.lines if line.layer == "OUTLINE"]
     if not any(overlaps(outline) for outline in outlines):
         return ()
-    smaller = "a smaller sheet," if len(outlines) > 1 else "a sheet size,"
-    return (f"the pattern overlaps itself: split it with {smaller} --sheet WxH",)
+    key = "smaller sheet" if len(outlines) > 1 else "sheet"
+    return (Note("the pattern overlaps itself", remedy=f"split it to fit a {key}", key=key),)
 
 
 def overlaps(outline: FloatArray) -> bool:

@@ -8,18 +8,21 @@ from typing import Annotated, Any, ClassVar
 from pydantic import BaseModel, ConfigDict, Field
 
 from quintrig.basis.registry import BasisName
-from quintrig.geometry.constructions import Options
+from quintrig.geometry.constructions import SHAPE_NAMES, Options
 from quintrig.geometry.surface import Surface
 from quintrig.support.arrays import LARGEST, SMALLEST
+
+LARGEST_POLYGON = 64
+"""Most control points in one direction."""
 
 Number = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-LARGEST, le=LARGEST)]
 Positive = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, ge=SMALLEST, le=LARGEST)]
 Pair = Annotated[list[Number], Field(min_length=2, max_length=2)]
 Point = Annotated[list[Number], Field(min_length=3, max_length=3)]
 Plane = Annotated[list[Number], Field(min_length=4, max_length=4)]
-Polygon = Annotated[list[Point], Field(min_length=2, max_length=64)]
-Outline = Annotated[list[Pair], Field(min_length=2, max_length=64)]
-Rows = Annotated[list[Polygon], Field(min_length=2, max_length=64)]
+Polygon = Annotated[list[Point], Field(min_length=2, max_length=LARGEST_POLYGON)]
+Outline = Annotated[list[Pair], Field(min_length=2, max_length=LARGEST_POLYGON)]
+Rows = Annotated[list[Polygon], Field(min_length=2, max_length=LARGEST_POLYGON)]
 Four = Annotated[
     list[Number],
     Field(
@@ -83,13 +86,17 @@ class Definition(BaseModel):
         return False
 
     @property
+    def acting(self) -> dict[str, float]:
+        """The shape parameters that act on the surface, by name."""
+        names = () if self.classical else self.shape_names
+        return dict(zip(names, self.shape_values, strict=True)) if names else {}
+
+    @property
     def parameters(self) -> dict[str, float]:
         """The numbers that may be varied, by name: shape parameters, then sizes and scales."""
-        names = () if self.classical else self.shape_names
-        shape = dict(zip(names, self.shape_values, strict=True)) if names else {}
         fields = type(self).model_fields
         values = {key: getattr(self, key) for key in fields}
-        return shape | {key: float(x) for key, x in values.items() if isinstance(x, float)}
+        return self.acting | {key: float(x) for key, x in values.items() if isinstance(x, float)}
 
     @property
     def shape_values(self) -> tuple[float, ...]:
@@ -100,7 +107,7 @@ class Definition(BaseModel):
 class Bezier(Definition):
     """Keys of the kinds that are built from control points."""
 
-    shape_names: ClassVar[tuple[str, ...]] = ("alpha1", "zeta1", "alpha2", "zeta2")
+    shape_names: ClassVar[tuple[str, ...]] = SHAPE_NAMES
     affine: ClassVar[bool] = True
     shape: Four = [0.0, 0.0, 0.0, 0.0]
     basis: BasisName = Field(

@@ -1,0 +1,43 @@
+"""What the library says of its arguments and functions, in terms of options and commands."""
+
+from quintrig.support.errors import Note, ToldError
+
+OPTIONS = {
+    "axes": "--vary",
+    "axis": "--vary",
+    "best": "--best",
+    "descending": "--greatest",
+    "points": "--points",
+    "samples": "--samples",
+    "scheduler": "--scheduler",
+    "seed": "--seed",
+    "where": "--where",
+}
+"""The option of each argument that an error may be about."""
+
+REMEDIES = {
+    "address": "choose another with --port or --host",
+    "axes": "name one with --vary, such as --vary alpha1=-4:1:21",
+    "best": "add --best COLUMN",
+    "curves": "export the faces as NURBS, or copy a curve with --curve N",
+    "faces": "quintrig import {file} --list shows them",
+    "new": "'quintrig new swept' writes one",
+    "patch": "(--patch NAME)",
+    "pattern": "quintrig flatten writes flat patterns",
+    "replace": "choose another name, or --force to replace it",
+    "sample": "add --sampling sobol or latin",
+    "sheet": "split it with --sheet WxH",
+    "smaller sheet": "split it with a smaller --sheet WxH",
+    "sobol": "take --sampling sobol",
+    "space": "take fewer values, or a sample by --sampling sobol --samples N",
+}
+"""What is to be done, by the key of the library's own remedy."""
+
+
+def worded(told: object) -> str:
+    """Return an error or a note in one line, for who gives commands."""
+    if not isinstance(told, ToldError | Note):
+        return str(told)
+    telling = told.telling
+    remedy = REMEDIES[telling.key].format(file=telling.file) if telling.key else telling.remedy
+    return telling.line(OPTIONS.get(telling.argument, telling.argument), remedy)

@@ -1,0 +1,25 @@
+// Model files as TOML: what is written is read back as it was.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import data from "../src/data.json" with { type: "json" };
+import { load } from "./load.mjs";
+
+const { fromToml, toToml } = await load("toml.ts");
+const { fromDict, toDict } = await load("numerics/index.ts");
+
+for (const preset of data.presets) {
+  test(`${preset.name} survives`, () => {
+    const model = fromDict(preset);
+    assert.deepEqual(fromToml(toToml(model)), toDict(model));
+  });
+}
+
+for (const name of ['with "quotes" and \\', "ε, 日本, 🦋", "\ta tab"]) {
+  test(`the name ${JSON.stringify(name)} survives`, () => {
+    assert.equal(fromToml(toToml(fromDict({ kind: "sphere", name }))).name, name);
+  });
+}
+
+test("a mistake is told with its place", () => {
+  assert.throws(() => fromToml("kind = "), /^Error: not valid TOML: .* \(at line 1, column \d+\)$/);
+});
