@@ -1,0 +1,171 @@
+"""``quintrig.plot`` and the style of pictures: what is asked for is drawn, and PDFs carry fonts that publishers take."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.collections import PolyCollection
+from matplotlib.figure import Figure
+from matplotlib.text import Text
+
+import quintrig
+from cli_runner import quintrig as command
+
+BOOT = Path(__file__).parents[1] / "examples" / "car_boot.toml"
+PLANE = quintrig.Curve(np.array([[0.0, 0], [1, 2], [2, 3], [4, 3], [5, 1], [6, 0]]))
+SPACE = quintrig.Curve(np.array([[0.0, 0, 0], [1, 2, 1], [2, 3, 0], [4, 3, 2], [5, 1, 1], [6, 0, 0]]))
+
+
+@pytest.fixture(scope="module")
+def boot():
+    return quintrig.load(BOOT)
+
+
+def words(figure):
+    return [text.get_text() for text in figure.findobj(Text) if text.get_text()]
+
+
+def bar(figure):
+    """Return the axes of the colour bar, the one that is narrow."""
+    return min(figure.axes, key=lambda axes: axes.get_position().width)
+
+
+@pytest.mark.parametrize("kind", ["pdf", "eps"])
+@pytest.mark.parametrize("style", ["standard", "journal"])
+def test_fonts_are_truetype(boot, kind, style, tmp_path):
+    file = tmp_path / f"k.{kind}"
+    quintrig.plot(boot, "K", view="flat", style=style, save=file)
+    data = file.read_bytes()
+    assert b"/Type3" not in data
+    assert b"/FontType 3" not in data
+    assert (b"/FontFile2" if kind == "pdf" else b"/FontType 42") in data
+
+
+def test_curves_carry_truetype_too(tmp_path):
+    quintrig.plot([PLANE], "curvature", save=tmp_path / "c.pdf")
+    assert b"/Type3" not in (tmp_path / "c.pdf").read_bytes()
+
+
+def test_a_journal_has_no_title_no_note_and_a_serif_face(boot):
+    usual, journal = (quintrig.plot(boot, "K", view="flat", style=style) for style in ("standard", "journal"))
+    assert boot.name in words(usual)
+    assert boot.name not in words(journal)
+    assert any("Normal along" in text for text in words(usual))
+    assert not any("ormal along" in text for text in words(journal))
+    assert {text.get_fontfamily()[0] for text in journal.findobj(Text)} == {"STIXGeneral"}
+
+
+def test_title_and_caption_can_be_chosen_one_by_one(boot):
+    found = words(quintrig.plot(boot, "K", view="flat", style="journal", title=True))
+    assert boot.name in found
+
+
+def test_limits_are_the_ends_of_the_scale(boot):
+    assert bar(quintrig.plot(boot, "K", view="flat", limits=(-1e-4, 3e-4))).get_ylim() == pytest.approx((-1e-4, 3e-4))
+
+
+def test_percentiles_are_those_of_the_values(boot):
+    t = (np.arange(240) + 0.5) / 240
+    values = quintrig.analyse(boot.surface, t[:, None], t[None, :], "K")["K"]
+    low, high = bar(quintrig.plot(boot, "K", view="flat", percentiles=(10, 90))).get_ylim()
+    assert (low, high) == pytest.approx(tuple(np.percentile(values, (10, 90))), rel=1e-9)
+
+
+def test_contours_lie_where_the_quantity_has_the_value(boot):
+    level = 5e-4
+    figure = quintrig.plot(boot, "H", view="flat", levels=[level])
+    lines = [line for line in figure.axes[0].lines if line.get_linewidth() == pytest.approx(0.45)]
+    assert lines
+    for line in lines:
+        u, v = line.get_data()
+        found = quintrig.analyse(boot.surface, np.clip(u, 0, 1), np.clip(v, 0, 1), "H")["H"]
+        np.testing.assert_allclose(found, level, atol=2e-6)
+
+
+def test_a_width_is_that_of_the_figure(boot):
+    for width, inches in (
+        ("84 mm", 84 / 25.4),
+        ("column", 84 / 25.4),
+        ("page", 174 / 25.4),
+        (5, 5.0),
+        ("12cm", 12 / 2.54),
+    ):
+        assert quintrig.plot(boot, "K", view="flat", width=width).get_size_inches()[0] == pytest.approx(
+            inches, rel=1e-6
+        )
+
+
+def test_larger_letters_leave_the_width_and_grow_in_proportion(boot):
+    small, large = (quintrig.plot(boot, "K", view="flat", width=5, size=size) for size in (7.5, 15.0))
+    assert small.get_size_inches()[0] == pytest.approx(large.get_size_inches()[0])
+    sizes = [max(text.get_fontsize() for text in figure.findobj(Text)) for figure in (small, large)]
+    assert sizes[1] == pytest.approx(2.0 * sizes[0])
+
+
+@pytest.mark.parametrize("view", ["flat", "iso"])
+def test_on_given_axes_the_picture_alone_is_drawn(boot, view):
+    figure = Figure()
+    FigureCanvasAgg(figure)
+    axes = figure.add_subplot()
+    assert quintrig.plot(boot, "K", view=view, axes=axes) is figure
+    assert figure.axes == [axes]
+    assert axes.images if view == "flat" else any(isinstance(one, PolyCollection) for one in axes.collections)
+
+
+def test_what_can_be_drawn(boot):
+    sample = quintrig.analyse(boot.surface, *quintrig.grid(20, 30))
+    for subject, quantity in (
+        (boot.patches[0], "S"),
+        (boot.surface, ["surface", "K"]),
+        (sample, "hk_type"),
+        (sample, "κ1"),
+    ):
+        assert quintrig.plot(subject, quantity).axes
+    for curve, what in ((PLANE, "comb"), (PLANE, "curvature"), (SPACE, "curve"), ([SPACE, SPACE], "curvature")):
+        assert quintrig.plot(curve, what).axes
+
+
+def test_a_sample_is_drawn_with_its_own_values(boot):
+    sample = quintrig.analyse(boot.surface, *quintrig.grid(7, 5), ["gaussian", "curvedness"])
+    picture = quintrig.plot(sample, "K").axes[0].images[0].get_array()
+    assert picture.shape[:2] == (5, 7)
+
+
+MISTAKES = {
+    "upside down": ({"limits": (2, 1)}, "limits: expected two rising numbers"),
+    "both": ({"limits": (0, 1), "percentiles": (1, 99)}, "expected one of them"),
+    "percentiles": ({"percentiles": (50, 101)}, "percentiles: expected"),
+    "font": ({"font": "No Such Face"}, "is not installed"),
+    "colours": ({"colours": "virids"}, "did you mean 'viridis'"),
+    "width": ({"width": "3 furlongs"}, "width: expected a length"),
+    "narrow": ({"width": 0.2}, "width: expected 1 to 20 inches"),
+    "size": ({"size": 99}, "size: expected 4 to 24 points"),
+    "levels": ({"levels": [1, 0]}, "levels: expected rising"),
+    "style": ({"style": "fancy"}, "style: expected standard or journal"),
+    "view": ({"view": "askew"}, "view: expected"),
+}
+
+
+@pytest.mark.parametrize("name", MISTAKES)
+def test_mistakes_are_told_in_one_line(boot, name):
+    options, said = MISTAKES[name]
+    with pytest.raises(ValueError, match=said) as error:
+        quintrig.plot(boot, "K", **options)
+    assert "\n" not in str(error.value)
+
+
+def test_the_command_has_the_same_options(tmp_path):
+    out = tmp_path / "k.pdf"
+    told = command("plot", BOOT, "-q", "K,κ1", "--style", "journal", "--width", "page", "--range=-1e-4,1e-4", "-o", out)
+    assert (told.code, out.exists()) == (0, True)
+    assert b"/Type3" not in out.read_bytes()
+    told = command("plot", BOOT, "-q", "K", "--range", "2,1", "-o", out)
+    assert (told.code, told.err.count("\n")) == (2, 1)
+    assert "--range: expected two rising numbers" in told.err
+
+
+def test_borders_of_classes_are_smooth(boot):
+    """Between two classes there are mixed colours, not a staircase of cells."""
+    picture = np.asarray(quintrig.plot(boot, "hk_type", view="flat").axes[0].images[0].get_array()).reshape(-1, 3)
+    assert len(np.unique(np.round(picture, 3), axis=0)) > len(np.unique(boot.surface.inside(0.5, 0.5))) + 5
