@@ -51,7 +51,7 @@ class Trigonometric(Functions):
         a difference of ``slopes``: so all keep their relative accuracy at the end points, where a Fourier sum does not.
         """
         t = parameter(t, "t")
-        s, c, a, b = (series[0] for series in _sines(t, 0))
+        s, c, a, b = (series[0] for series in sines(t, 0))
         values: list[FloatArray] = [
             a**4 * np.where(t < 0.5, 1.0 - self.alpha * s, 1.0 - self.alpha + self.alpha * a),
             s * a**3 * np.where(t < 0.5, 4.0 + self.alpha - self.alpha * s, 4.0 + self.alpha * a),
@@ -83,7 +83,7 @@ class Trigonometric(Functions):
         outside [0, 1].
         """
         t = parameter(t, "t")
-        s, c, a, b = _sines(t, order)
+        s, c, a, b = sines(t, order)
         near_start = t < 0.5
         one = taylor.constant(1.0, s)
         rising, falling = one if start else s, one if end else c
@@ -166,7 +166,7 @@ def shape_parameter(value: float, name: str, unchecked: bool = False) -> float:
     return value
 
 
-def _sines(t: FloatArray, order: int) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+def sines(t: FloatArray, order: int) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
     """Return the series of sine and cosine of πt/2, 1 - sine and 1 - cosine; none cancels, the ends are exact."""
     sine, cosine = sin_cos(t)
     s, c = _rotation(sine, cosine, order), _rotation(cosine, -sine, order)
