@@ -60,7 +60,7 @@ class Parameter:
         if not unchecked and not self.holds(value):
             raise ValueError(
                 f"{name} = {value:g} is outside {self.range}, the range of this basis; choose a value in the range, "
-                "or set unchecked_shape = true and lose what the range warrants, such as the convex hull"
+                "or set unchecked_shape = true and lose what the range warrants, such as the convex-hull property"
             )
         return value
 
@@ -163,9 +163,33 @@ class Formulas(Functions):
         object.__setattr__(self, "values", tuple(checked))
 
     @property
-    def name(self) -> str:
+    def label(self) -> str:
         """The name of the basis."""
         return self.basis.name
+
+    @property
+    def outside(self) -> bool:
+        """Whether a shape parameter is outside its range."""
+        return not all(one.holds(value) for one, value in zip(self.basis.parameters, self.values, strict=True))
+
+    @property
+    def caveats(self) -> tuple[str, ...]:
+        """That the surface moves with the origin, and that parameters lie outside their range, where it is so."""
+        told: list[str] = []
+        if not self.partition:
+            off, where = self.basis.off_sum
+            told.append(
+                f"The functions of the basis {self.label} do not sum to 1 (off by {off:.3g} {where}): the surface "
+                "moves with the origin, and its shape hangs on where that is."
+            )
+        wrong = [
+            f"{one.name} = {value:g} outside {one.range}"
+            for one, value in zip(self.basis.parameters, self.values, strict=True)
+            if not one.holds(value)
+        ]
+        if wrong:
+            told.append(f"{', '.join(wrong)}: the convex-hull property may be lost.")
+        return tuple(told)
 
     @property
     def size(self) -> int:
@@ -209,7 +233,7 @@ class Formulas(Functions):
             formula_rational.forms(self.basis.trees, self.parameters, found or TangentMap())
         except NotRationalError as error:
             raise NotRationalError(
-                f"the functions of the basis {self.name!r} have no exact rational form: {error}"
+                f"the functions of the basis {self.label!r} have no exact rational form: {error}"
             ) from None
         return found
 

@@ -37,13 +37,18 @@ class Entry:
         """Return the basis as data for a number of control points; ValueError where it has none for so many."""
         points = self.usual if points is None else points
         if points not in self.sizes:
-            raise ValueError(f"expected {self.counts} for the basis {self.name!r}, found {points}")
+            raise ValueError(f"expected {self.counts} for the {self.name} basis, found {points}")
         return _basis(self, points)
 
     def family(self, points: int, values: Sequence[float] = (), unchecked: bool = False) -> Functions:
         """Return the functions for a number of control points; ValueError where points or values do not fit."""
         found = self.basis(points).family(values, unchecked)
         return self.build(points, found.values, unchecked) if self.build else found
+
+    @property
+    def classical(self) -> bool:
+        """Whether these are the classical Bernstein polynomials, on which shape parameters do not act."""
+        return self.build is _bernstein
 
     @property
     def counts(self) -> str:

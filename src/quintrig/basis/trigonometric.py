@@ -40,6 +40,16 @@ class Trigonometric(Functions):
         return 6
 
     @property
+    def label(self) -> str:
+        """The name of the basis."""
+        return "trigonometric"
+
+    @property
+    def outside(self) -> bool:
+        """Whether α or ζ is outside [-4, 1]."""
+        return not all(SHAPE_RANGE[0] <= x <= SHAPE_RANGE[1] for x in (self.alpha, self.zeta))
+
+    @property
     def partition(self) -> bool:
         """Whether the functions sum to 1: they do."""
         return True

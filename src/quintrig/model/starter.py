@@ -38,7 +38,7 @@ def starter(kind: str) -> str:
         if key in values or field.is_required():
             lines.append(f"{key} = {_toml(values[key])}")
         elif key == "shape":
-            lines.append(f"{key} = {_toml(field.default)}")
+            lines.append(f"{key} = {_toml([0.0] * len(form.shape_names))}")
         else:  # an option at its default: there to be switched on
             lines.append(f"# {key} = {_toml(field.default)}" if field.default is not None else f"# {key} = ...")
     return "\n".join(lines) + "\n"

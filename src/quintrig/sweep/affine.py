@@ -34,7 +34,7 @@ class Parts:
 def is_affine(patch: Patch, space: DesignSpace) -> bool:
     """Tell whether every varied parameter is a shape parameter of a surface built from control points."""
     definition = patch.definition
-    return definition.affine and not definition.classical and set(space.names) <= set(SHAPE_NAMES)
+    return definition.affine and definition.standard and set(space.names) <= set(SHAPE_NAMES)
 
 
 def affine_rows(patch: Patch, u: FloatArray) -> FloatArray:

@@ -6,7 +6,6 @@ from typing import Any, Literal, cast
 
 import numpy as np
 
-from quintrig.basis.trigonometric import SHAPE_RANGE
 from quintrig.model.model import Patch
 from quintrig.support.arrays import FloatArray, number
 from quintrig.support.errors import ModelError, nearest
@@ -153,7 +152,7 @@ def check(space: DesignSpace, patch: Patch) -> None:
     if not known:
         basis = " in the Bernstein basis" if patch.definition.classical else ""
         raise ValueError(f'patch "{patch.name}": a {patch.kind}{basis} has no parameters to vary')
-    low, high = SHAPE_RANGE
+    ranges = patch.definition.ranges
     unchecked = bool(getattr(patch.definition, "unchecked_shape", False))
     for axis in space.axes:
         if axis.name not in known:
@@ -161,8 +160,9 @@ def check(space: DesignSpace, patch: Patch) -> None:
                 f"--vary {axis.name}: unknown parameter{nearest(axis.name, known)}; "
                 f"a {patch.kind} has {', '.join(known)}"
             )
-        if axis.name in patch.definition.shape_names and not unchecked and not (low <= axis.low and axis.high <= high):
-            raise ValueError(f"--vary {axis.name}={axis.low:g}:{axis.high:g}: the range leaves [-4, 1]; narrow it")
+        one = ranges.get(axis.name)
+        if one is not None and not unchecked and not (one.holds(axis.low) and one.holds(axis.high)):
+            raise ValueError(f"--vary {axis.name}={axis.low:g}:{axis.high:g}: the range leaves {one.range}; narrow it")
         for value in (axis.low, axis.high):
             try:
                 patch.with_parameters({axis.name: value})
