@@ -38,6 +38,19 @@ def names(choices: Sequence[Choice], counts: Sequence[int | None]) -> tuple[str,
     )
 
 
+GREEK = {
+    **{"alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "zeta": "ζ", "theta": "θ", "kappa": "κ", "lam": "λ"},
+    **{"lambda": "λ", "mu": "μ", "nu": "ν", "rho": "ρ", "sigma": "σ", "tau": "τ", "phi": "φ", "omega": "ω"},
+}
+"""Letters of parameters that are spelt out."""
+
+
+def symbol(name: str) -> str:
+    """Return the name of a shape parameter to be read, such as α1 for ``alpha1``."""
+    letters = name.rstrip("0123456789_")
+    return GREEK.get(letters, letters) + name[len(letters) :].replace("_", ",")
+
+
 def families(
     choices: Sequence[Choice],
     counts: Sequence[int],
@@ -47,8 +60,8 @@ def families(
 ) -> tuple[Functions, ...]:
     """Return the functions of each basis for so many points, with the values of all shape parameters one by one.
 
-    Without a ``shape``, or with an empty one, all start where their basis says. Raises ValueError, naming the place, where the number of
-    points, of values or a value does not fit.
+    Without a ``shape``, or with an empty one, all start where their basis says. Raises ValueError, naming the place,
+    where the number of points, of values or a value does not fit.
     """
     for choice, points, place in zip(choices, counts, places, strict=True):
         check_count(choice, points, place)

@@ -104,7 +104,7 @@ def _field(form: type[Definition], key: str, schema: dict[str, Any]) -> dict[str
     field = form.model_fields[key]
     result: dict[str, Any] = {"description": field.description or "", "required": field.is_required()}
     if not field.is_required():
-        result["default"] = field.default
+        result["default"] = [0.0] * len(form.shape_names) if key == "shape" else field.default
     if key in form.nets:
         return result | {"type": "points", "counts": list(form.counts[key]), "dimension": _dimension(schema)}
     if schema.get("type") == "boolean":
@@ -112,6 +112,8 @@ def _field(form: type[Definition], key: str, schema: dict[str, Any]) -> dict[str
     if schema.get("type") == "number":
         positive = any(isinstance(limit, annotated_types.Gt) for limit in field.metadata)
         return result | {"type": "positive" if positive else "number"}
+    if key == "basis":
+        return result | {"type": "basis"}
     if "enum" in schema:
         return result | {"type": "choice", "choices": schema["enum"]}
     return result | {"type": {"shape": "shape", "mirror": "plane"}.get(key, "raw")}

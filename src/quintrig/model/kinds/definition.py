@@ -7,9 +7,9 @@ from typing import Annotated, Any, ClassVar, cast
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 
-from quintrig.basis.formulas import Parameter
+from quintrig.basis.formulas import Basis, Parameter
 from quintrig.basis.library import Entry
-from quintrig.basis.pairs import names, parameters
+from quintrig.basis.pairs import names, parameters, symbol
 from quintrig.basis.registry import DEFAULT, Choice, entry
 from quintrig.geometry.constructions import Options
 from quintrig.geometry.surface import Surface
@@ -111,9 +111,19 @@ class Definition(BaseModel):
         return {}
 
     @property
-    def basis_titles(self) -> tuple[str, ...]:
-        """What the bases are called, each once."""
+    def shape_symbols(self) -> tuple[str, ...]:
+        """The names of the shape parameters that act, as they are read: α1, ζ1, ..."""
+        return () if self.classical else tuple(map(symbol, self.ranges))
+
+    @property
+    def bases_used(self) -> tuple[Basis, ...]:
+        """The bases as formulas, each once; none for kinds that are built otherwise."""
         return ()
+
+    @property
+    def basis_words(self) -> str:
+        """What is said of bases that are not the quintic one; else nothing."""
+        return ""
 
     def check_basis(self) -> None:
         """Raise ValueError where a basis is not what a surface needs."""
@@ -201,9 +211,21 @@ class Based(Definition):
         return tuple(self.shape) or tuple(float(one.start or 0.0) for one in self.ranges.values())
 
     @property
-    def basis_titles(self) -> tuple[str, ...]:
-        """What the bases are called, each once."""
-        return tuple(dict.fromkeys(one.title for one in self.choices if isinstance(one, Entry)))
+    def bases_used(self) -> tuple[Basis, ...]:
+        """The bases as formulas, each once."""
+        pairs = zip(self.choices, self.point_counts, strict=True)
+        return tuple(dict.fromkeys(one.basis(points) for one, points in pairs if isinstance(one, Entry)))
+
+    @property
+    def basis_words(self) -> str:
+        """What is said of bases that are not the quintic one, with the number of points for each; else nothing."""
+        titles = [one.title for one in self.choices if isinstance(one, Entry)]
+        counts = " and ".join(f"{n}" for n in self.point_counts)
+        if self.standard:
+            return ""
+        if self.classical:
+            return "classical Bernstein basis, on which shape parameters do not act"
+        return f"basis {' and '.join(dict.fromkeys(titles))}, for {counts} points"
 
     def check_basis(self) -> None:
         """Raise ValueError where the functions of a basis do not sum to 1 and nobody said that this may be."""
