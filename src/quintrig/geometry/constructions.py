@@ -145,7 +145,8 @@ def ruled(
     a = _polygon(first, "first", 3, basis, 0)
     b = _polygon(second, "second", 3, basis, 1)
     functions = Joined(families(pair(basis), (len(a), len(b)), ("first", "second"), shape, unchecked_shape))
-    origin = local_origin(np.concatenate([a, b]))
+    still = all(part.partition for part in functions.parts)
+    origin = local_origin(np.concatenate([a, b])) if still else np.zeros(3)
     points = np.zeros((len(a) + len(b), 2, 3))
     points[: len(a), 0] = a - origin
     points[len(a) :, 1] = b - origin
@@ -173,6 +174,10 @@ def _tensor(
     """Return the surface on points as seen from an origin, (n, m, 3); ``net`` holds them as they are, to be drawn."""
     counts, places = local.shape[:2], ("points", "points[0]")
     u, v = families(pair(options["basis"]), counts, places, shape, options["unchecked_shape"])
+    if not (
+        u.partition and v.partition
+    ):  # then the surface moves with the coordinate origin, and only that one is meant
+        local, origin, steps = local + origin, np.zeros(3), None
     frozen(local, "points", (None, None, 3))  # sums and products may have no finite value
     return Surface(Net(local, u, steps), v, options["flip"], local + origin if net is None else net, origin=origin)
 

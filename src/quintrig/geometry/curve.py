@@ -69,9 +69,10 @@ class Curve(Pickled):
 
     def derivatives(self, t: ArrayLike, order: int) -> FloatArray:
         """Return derivatives 0 to ``order`` by t, shape (order + 1, *t.shape, 2 or 3), length¹."""
-        functions = self.functions.derivatives(parameter(t, "t"), whole(order, "order", 0))
+        family = self.functions
+        functions = family.derivatives(parameter(t, "t"), whole(order, "order", 0))
         # The derivatives of a basis sum to 0, so that far from the origin they need not see how far.
-        origin = local_origin(self.points)
+        origin = local_origin(self.points) if family.partition else 0.0
         result = functions @ (self.points - origin)
         result[0] += origin
         return result

@@ -315,7 +315,9 @@ def _columns(keys: dict[str, Any], usual: int) -> int:
 
 
 def _with_bases(keys: dict[str, Any], folder: Path | None) -> dict[str, Any]:
-    """Replace the name of a file of bases by what it holds."""
+    """Replace the name of a file of bases by what it holds, and check them before what is built on them."""
+    if isinstance(keys.get("bases"), dict):
+        _ = own_bases(keys["bases"])
     if not isinstance(keys.get("bases"), str):
         return keys
     file = Path(keys["bases"])
