@@ -10,9 +10,10 @@ from numpy.typing import ArrayLike
 from quintrig.basis import formula_rational
 from quintrig.basis.expression import series, values_of
 from quintrig.basis.formula_checks import check_values, sums
-from quintrig.basis.functions import Functions
+from quintrig.basis.functions import MOVING, Functions, Still
 from quintrig.basis.grammar import RESERVED, Node, parse
 from quintrig.basis.rational import NotRationalError, TangentMap
+from quintrig.basis.tape import Tape, tape
 from quintrig.support import taylor
 from quintrig.support.arrays import FloatArray, number, parameter
 
@@ -163,8 +164,13 @@ class Formulas(Functions):
         object.__setattr__(self, "values", tuple(checked))
 
     @property
-    def label(self) -> str:
+    def name(self) -> str:
         """The name of the basis."""
+        return self.basis.name
+
+    @property
+    def label(self) -> str:
+        """The name of the basis, under which constructions take it."""
         return self.basis.name
 
     @property
@@ -225,6 +231,20 @@ class Formulas(Functions):
         if order:
             result[1:] = np.where((t < 0.5)[..., None], result[1:], -np.cumsum(derived[1:, ..., :-1], axis=-1))
         return result
+
+    def fill(self, t: FloatArray, out: FloatArray, still: Still = MOVING) -> None:
+        """Write derivatives 0 to 2 of the F_i at blocks of BLOCK parameters (blocks, BLOCK) to ``out``, compiled."""
+        from quintrig.basis.tape_jit import run
+
+        whole = out if out.flags.c_contiguous else np.empty(out.shape)
+        work = self._tape
+        run(t, work.operations, work.numbers, work.roots, self.partition, whole.reshape(len(t), -1))
+        if whole is not out:
+            out[...] = whole
+
+    @cached_property
+    def _tape(self) -> Tape:
+        return tape(self.basis.trees, self.parameters)
 
     def tangent_map(self) -> TangentMap | None:
         """Return the change of parameter that the rational form needs; NotRationalError where there is none."""

@@ -309,8 +309,9 @@ def _columns(keys: dict[str, Any], usual: int) -> int:
     """Return how many points a row of a net has, where the basis in v says, else the usual number."""
     name = keys.get("basis")
     last: Any = cast(list[Any], name)[-1] if isinstance(name, list) and name else name
-    own = own_bases(keys["bases"]) if isinstance(keys.get("bases"), dict) else {}
-    found = {**bases(), **own}.get(last) if isinstance(last, str) else None
+    tables: Any = keys.get("bases")
+    own = own_bases(cast(dict[str, Any], tables)) if isinstance(tables, dict) else {}
+    found = {**bases(), **own}.get(str(last))
     return found.sizes[0] if found is not None and len(found.sizes) == 1 else usual
 
 

@@ -37,6 +37,9 @@ SHAPE_SETS: dict[int, tuple[tuple[float, ...], ...]] = {
 WORDS: dict[str, SignTable] = {"point_type": POINTS, "hk_type": TYPES, "shape_class": CLASSES}
 """The tables of signs that say in words what the types of a classification look like."""
 
+DRAWN = ("trigonometric", "bernstein")
+"""The bases that the browser can draw."""
+
 EXAMPLES = Path(__file__).parents[3] / "examples"
 """The example models of the repository, which become the presets when the bundle is built."""
 
@@ -113,7 +116,7 @@ def _field(form: type[Definition], key: str, schema: dict[str, Any]) -> dict[str
         positive = any(isinstance(limit, annotated_types.Gt) for limit in field.metadata)
         return result | {"type": "positive" if positive else "number"}
     if key == "basis":
-        return result | {"type": "basis"}
+        return result | {"type": "choice", "choices": list(DRAWN)}
     if "enum" in schema:
         return result | {"type": "choice", "choices": schema["enum"]}
     return result | {"type": {"shape": "shape", "mirror": "plane"}.get(key, "raw")}

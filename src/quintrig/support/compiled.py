@@ -20,6 +20,7 @@ from llvmlite import ir as _ir
 Function = TypeVar("Function", bound=Callable[..., Any])
 
 SOURCES = (
+    "basis/tape_jit",
     "basis/trigonometric_jit",
     "kernel/blocks",
     "quantities/classify",

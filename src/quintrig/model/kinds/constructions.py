@@ -136,7 +136,8 @@ class Swung(Bezier):
     title = "Swung surface"
     words = (
         "A profile curve (r, z), swung about the z axis along a trajectory curve (x, y) and scaled by λ. With a "
-        "circle for the trajectory it would be a surface of revolution."
+        "quarter circle for the trajectory, which the cubic basis holds exactly and the quintic does not, it is a "
+        "surface of revolution."
     )
     formula = r"\mathbf{S}(u,v)=(\lambda\,r(u)\,x(v),\;\lambda\,r(u)\,y(v),\;z(u))"
     starter: ClassVar[Keys] = {
@@ -227,8 +228,14 @@ class Developable(Based):
 
     def surface(self) -> Surface:
         """Build the surface."""
-        options = {"basis": self.choices[0], "flip": self.flip, "unchecked_shape": self.unchecked_shape}
-        return envelope.developable(self.planes, self.bounds, self.shape, **options)
+        return envelope.developable(
+            self.planes,
+            self.bounds,
+            self.shape,
+            basis=self.choices[0],
+            flip=self.flip,
+            unchecked_shape=self.unchecked_shape,
+        )
 
     @classmethod
     def recognised(cls, surface: Surface) -> Keys | None:

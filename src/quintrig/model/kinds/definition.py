@@ -38,11 +38,10 @@ Shape = Annotated[
 
 def _names(value: object) -> object:
     """Check what stands for the basis, before the types are told apart."""
-    if not isinstance(value, str) and not (
-        isinstance(value, (list, tuple)) and all(isinstance(one, str) for one in cast(list[object], value))
-    ):
-        raise ValueError(f"expected the name of a basis, or a list of two for u and v, got {str(value)[:60]!r}")
-    return value
+    names = cast(list[object], value) if isinstance(value, (list, tuple)) else [value]
+    if not all(isinstance(one, str) for one in names):
+        raise ValueError(f"expected the name of a basis, or a list of two for u and v, got {str(names)[:60]!r}")
+    return cast(object, value)
 
 
 BasisNames = Annotated[str | list[str], BeforeValidator(_names)]
@@ -99,6 +98,11 @@ class Definition(BaseModel):
     def classical(self) -> bool:
         """Whether the classical Bernstein basis is used, on which shape parameters do not act."""
         return False
+
+    @property
+    def point_counts(self) -> tuple[int, ...]:
+        """Number of control points for each basis; none for kinds that are built otherwise."""
+        return ()
 
     @property
     def standard(self) -> bool:
