@@ -7,6 +7,7 @@ from typing import Any, cast
 
 from pydantic import ValidationError
 
+from quintrig.basis.library import Entry
 from quintrig.basis.registry import bases
 from quintrig.geometry.surface import Surface
 from quintrig.model.explain import HEADER, explain, spell
@@ -308,10 +309,11 @@ def _with_nets(keys: dict[str, Any], form: type[Definition], folder: Path | None
 def _columns(keys: dict[str, Any], usual: int) -> int:
     """Return how many points a row of a net has, where the basis in v says, else the usual number."""
     name = keys.get("basis")
-    last: Any = cast(list[Any], name)[-1] if isinstance(name, list) and name else name
-    tables: Any = keys.get("bases")
-    own = own_bases(cast(dict[str, Any], tables)) if isinstance(tables, dict) else {}
-    found = {**bases(), **own}.get(str(last))
+    names = cast(list[object], name) if isinstance(name, list) else [name]
+    last = str(names[-1]) if names else ""
+    tables = keys.get("bases")
+    own: Mapping[str, Entry] = own_bases(cast(dict[str, Any], tables)) if isinstance(tables, dict) else {}
+    found: Entry | None = {**bases(), **own}.get(last)
     return found.sizes[0] if found is not None and len(found.sizes) == 1 else usual
 
 

@@ -98,7 +98,7 @@ def _target(out: Path) -> Path:
 
 def _page(model: Model, chapters: list[Chapter], together: dict[str, Image], grid: int, thresholds: Thresholds) -> str:
     source = to_toml(model.to_dict())
-    live = len(source) <= _LARGEST_VIEW
+    live = len(source) <= _LARGEST_VIEW and all(patch.definition.drawn for patch in model.patches)
     return (
         _environment()
         .get_template("page.html.j2")

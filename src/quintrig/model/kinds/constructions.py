@@ -45,8 +45,9 @@ class Tensor(Bezier):
 
     title = "Tensor-product surface"
     words = (
-        "A net of 6 × 6 control points, blended by the quintic trigonometric functions in u and in v. It starts "
-        "and ends in the corner points of the net and stays inside the convex hull of all 36."
+        "A net of control points, 6 × 6 for the quintic trigonometric basis, blended by the functions of the basis in "
+        "u and in v. It starts and ends in the corner points of the net, and stays inside its convex hull where the "
+        "functions are not negative."
     )
     formula = _TENSOR
     starter: ClassVar[Keys] = {
@@ -76,8 +77,8 @@ class Symmetric(Bezier):
 
     title = "Symmetric surface"
     words = (
-        "A tensor-product surface of which three rows of control points are given; the other three are their "
-        "images in a mirror plane."
+        "A tensor-product surface of which half of the rows of control points are given, three for the quintic "
+        "trigonometric basis; the others are their images in a mirror plane."
     )
     formula = _TENSOR + r",\quad\mathbf{P}_{5-i,j}=\text{the mirror image of }\mathbf{P}_{ij}"
     starter: ClassVar[Keys] = {
@@ -220,6 +221,11 @@ class Developable(Based):
     bounds: Annotated[list[Plane], Field(min_length=2, max_length=2)] = Field(
         description="2 planes [a, b, c, d] that cut the rulings at v = 0 and v = 1"
     )
+
+    @property
+    def drawn(self) -> bool:
+        """Whether the browser knows the functions of the basis."""
+        return self.basis == "trigonometric"
 
     @property
     def point_counts(self) -> tuple[int, ...]:

@@ -100,6 +100,11 @@ class Definition(BaseModel):
         return False
 
     @property
+    def drawn(self) -> bool:
+        """Whether the browser knows the functions of the basis."""
+        return True
+
+    @property
     def point_counts(self) -> tuple[int, ...]:
         """Number of control points for each basis; none for kinds that are built otherwise."""
         return ()
@@ -252,6 +257,11 @@ class Bezier(Based):
 
     shape_names: ClassVar[tuple[str, ...]] = ("alpha1", "zeta1", "alpha2", "zeta2")
     affine: ClassVar[bool] = True
+
+    @property
+    def drawn(self) -> bool:
+        """Whether the browser knows the functions of the basis."""
+        return self.basis in ("trigonometric", "bernstein")
 
     @property
     def options(self) -> "Options":
