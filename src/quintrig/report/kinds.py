@@ -91,13 +91,16 @@ def parameters(patch: Patch) -> tuple[tuple[str, float, bool], ...]:
 def nets(patch: Patch) -> Iterator[Net]:
     """Return the control points and planes of a patch, at most ``MOST_POINTS`` of each."""
     for name, field in type(patch.definition).model_fields.items():
-        value: Any = getattr(patch.definition, name)
-        if name in _OTHER or not isinstance(value, list):
+        value: list[Any] = getattr(patch.definition, name)
+        if name in _OTHER or not isinstance(value, list):  # pyright: ignore[reportUnnecessaryIsInstance]
             continue
         rows = list(_flat(cast(list[Any], value)))
         width = len(rows[0][1])
         letters = "abcd" if width == 4 else {"profile": "rz"}.get(name, "xyz"[:width])
         title = (field.description or name).split(";")[0]
+        if not patch.definition.standard and name != "bounds":
+            counts = [len(points) for points in (value, value[0]) if isinstance(points[0], list)]
+            title = re.sub(r"^\d+( x \d+)?", " x ".join(map(str, counts)), title)
         yield Net(title, tuple(letters), tuple(rows[:MOST_POINTS]), max(len(rows) - MOST_POINTS, 0))
 
 
