@@ -94,7 +94,7 @@ def nets(patch: Patch) -> Iterator[Net]:
         value: list[Any] = getattr(patch.definition, name)
         if name in _OTHER or not isinstance(value, list):  # pyright: ignore[reportUnnecessaryIsInstance]
             continue
-        rows = list(_flat(cast(list[Any], value)))
+        rows = list(_flat(value))
         width = len(rows[0][1])
         letters = "abcd" if width == 4 else {"profile": "rz"}.get(name, "xyz"[:width])
         title = (field.description or name).split(";")[0]

@@ -141,7 +141,8 @@ def _check(patch: Patch) -> None:
     """Refuse a patch on which shape parameters do not act."""
     if patch.definition.classical:
         raise ModelError(
-            f'patch "{patch.name}": basis: expected "trigonometric" or another, got "bernstein", which has no shape parameters'
+            f'patch "{patch.name}": basis: expected "trigonometric" or another, '
+            'got "bernstein", which has no shape parameters'
         )
     if not patch.shape:
         where = f"in this basis, a {patch.kind}" if patch.definition.bases_used else f"kind: a {patch.kind}"
