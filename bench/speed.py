@@ -113,6 +113,23 @@ def points(count: int, rounds: int) -> None:
     table(HEAD, compared(times, count, dict.fromkeys(own, rival)))
 
 
+def bases(count: int, scattered: int, rounds: int) -> None:
+    """A basis from formulas beside the Bernstein polynomials of the same size, and beside the compiled quintic."""
+    rng, (u, v) = np.random.default_rng(1), quintrig.grid(count, count)
+    x, y = rng.random(scattered), rng.random(scattered)
+    for name, n in (("lambda_bezier", 6), ("generalised_trigonometric", 6), ("cubic", 4)):
+        net = rng.normal(size=(n, n, 3))
+        surfaces = {one: quintrig.tensor(net, basis=one) for one in (name, "bernstein")}
+        ways = {one: lambda s=s: quintrig.analyse(s, u, v, KH, threads=1) for one, s in surfaces.items()}
+        print(f"K and H with {n} x {n} points on a {count} x {count} grid: formulas against Bernstein\n")
+        table(HEAD, compared(race(ways, rounds), count * count, {name: "bernstein"}))
+    net = wavy_net()
+    surfaces = {one: quintrig.tensor(net, basis=one) for one in ("generalised_trigonometric", "trigonometric")}
+    ways = {one: lambda s=s: quintrig.analyse(s, x, y, KH, threads=1) for one, s in surfaces.items()}
+    print(f"K and H at {scattered:,} scattered points: formulas against the compiled quintic\n")
+    table(HEAD, compared(race(ways, rounds), scattered, {"generalised_trigonometric": "trigonometric"}))
+
+
 def scaling(side: int, rounds: int) -> None:
     """Two threads against one, in a race of their own: a core that slept through a rival takes its time to wake."""
     surface = quintrig.tensor(wavy_net(), SHAPE)
@@ -170,5 +187,6 @@ def report(quick: bool) -> None:
     grids(side, rounds)
     all_quantities(side, max(5, rounds - 2))
     points(many, rounds)
+    bases(side, many, rounds)
     scaling(side, rounds)
     growth(6 if quick else 8, rounds)

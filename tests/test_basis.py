@@ -202,7 +202,7 @@ def test_circular_functions_are_exact_at_whole_right_angles(start):
 
 
 def test_family_gives_the_basis_that_fits_the_points():
-    assert family("trigonometric", 6, 1.0, -2.0) == Trigonometric(1.0, -2.0)
-    assert family("bernstein", 4, 0.0, 0.0) == Bernstein(3)
+    assert family("trigonometric", 6, (1.0, -2.0)) == Trigonometric(1.0, -2.0)
+    assert family("bernstein", 4) == Bernstein(3)
     with pytest.raises(ValueError, match="expected 6 control points"):
-        family("trigonometric", 5, 0.0, 0.0)
+        family("trigonometric", 5)

@@ -65,14 +65,14 @@ MISTAKES = [
     (["plot", BOOT, "-o", "p.png", "--dpi", "100000"], "Invalid value for '--dpi'"),
     (["plot", BOOT], "Missing option '-o'"),
     # shape parameters
-    (["plot", BOOT, "-o", "p.png", "--shape", "1,1,1"], "shape: expected 4 numbers, got 3"),
+    (["plot", BOOT, "-o", "p.png", "--shape", "1,1,1"], "shape: expected 4 numbers (alpha1, zeta1, alpha2, zeta2), f"),
     (["plot", BOOT, "-o", "p.png", "--shape", "1,1,1,5"], "shape[3] (zeta2) = 5 is outside [-4, 1]"),
     (["plot", BOOT, "-o", "p.png", "--shape", "1,1,1,nan"], "shape[3]: expected a finite number, got nan"),
     (["compare", BOOT, "--shape", "1;1;1;1"], "--shape: expected numbers separated by commas, got '1;1;1;1'"),
     (["compare", BOOT, *["--shape", "1,1,1,1"] * 13], "--shape: expected at most 12 sets, got 13"),
     (["compare", SPHERE], "a sphere has no shape parameters to vary"),
     (["compare", EXAMPLES / "classical.toml"], 'got "bernstein", which has no shape parameters'),
-    (["compare", EXAMPLES / "developable.toml", "--shape", "1,1,1,1"], "shape: expected 2 numbers, got 4"),
+    (["compare", EXAMPLES / "developable.toml", "--shape", "1,1,1,1"], "shape: expected 2 numbers (alpha, zeta), f"),
     # patches
     (["table", SEVERAL], "has 2 patches (rear window, boot lid): choose one by its name"),
     (["compare", SEVERAL], "has 2 patches (rear window, boot lid): choose one by its name"),

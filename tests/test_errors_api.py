@@ -125,7 +125,7 @@ COUNTS = {
     "ragged": (lambda: quintrig.tensor([*NET[:5], NET[5][:4]]), "points: expected rows of equal length"),
     "ragged point": (lambda: quintrig.tensor([*NET[:5], [*NET[5][:5], [0, 0]]]), "points: expected rows of equal"),
     "one classical row": (lambda: quintrig.tensor(NET[:1], basis="bernstein"), "expected 2 or more", "found 1"),
-    "symmetric": (lambda: quintrig.symmetric(NET, [1, 0, 0, 0]), "expected 3 rows of 6 points", "found 6 rows of 6"),
+    "symmetric": (lambda: quintrig.symmetric(NET, [1, 0, 0, 0]), "expected 3 rows, half of the net", "found 6"),
     "mirror": (lambda: quintrig.symmetric(NET[:3], [1, 0, 0]), "mirror: expected 4 numbers, found 3 numbers"),
     "no mirror": (lambda: quintrig.symmetric(NET[:3], [0, 0, 0, 1]), "mirror", "not all zero"),
     "section": (lambda: quintrig.swept(arch(5), arch()), "section: expected 6", "found 5"),
@@ -135,7 +135,7 @@ COUNTS = {
     "scale text": (lambda: quintrig.swung(PROFILE, PROFILE, scale="2"), "scale: expected real numbers", "text"),
     "first": (lambda: quintrig.ruled(arch()[:, :2], arch()), "first: expected n x 3", "6 x 2"),
     "second": (lambda: quintrig.ruled(arch(), arch(4)), "second: expected 6", "found 4"),
-    "planes": (lambda: quintrig.developable(CALM[:5], LEVEL), "planes: expected 6 x 4", "5 x 4"),
+    "planes": (lambda: quintrig.developable(CALM[:5], LEVEL), "planes: expected 6 control planes", "found 5"),
     "bounds": (lambda: quintrig.developable(CALM, LEVEL[:1]), "bounds: expected 2 x 4", "1 x 4"),
     "no plane": (lambda: quintrig.developable([[0, 0, 0, 1], *CALM[1:]], LEVEL), "planes[0]", "a = b = c = 0"),
     "no bound": (lambda: quintrig.developable(CALM, [LEVEL[0], [0, 0, 0, 1]]), "bounds[1]", "a = b = c = 0"),
@@ -179,7 +179,7 @@ def test_ends_of_the_range_are_allowed(kind):
     BUILDERS[kind](np.array([1.0, -4.0, 1.0, -4.0]))
 
 
-NO_SHAPES = [(1, 1, 1), (1,) * 5, 1.0, None, "1111", [[1, 1], [1, 1]], {}]
+NO_SHAPES = [(1, 1, 1), (1,) * 5, 1.0, "1111", [[1, 1], [1, 1]], {}]
 
 
 @pytest.mark.parametrize("shape", [*NO_SHAPES, *([1, 1, 1, value] for value in (NAN, True, "1", None))])
@@ -202,7 +202,7 @@ def test_unchecked_curve():
 
 @pytest.mark.parametrize("basis", ["trigonometri", "", "Bernstein", None, 5])
 def test_unknown_basis(basis):
-    refused(lambda: quintrig.tensor(NET, basis=basis), "basis: expected 'trigonometric' or 'bernstein'", repr(basis))
+    refused(lambda: quintrig.tensor(NET, basis=basis), "basis: expected", "trigonometric", "bernstein", repr(basis))
     refused(lambda: Curve(arch(), basis=basis), "basis: expected")
 
 

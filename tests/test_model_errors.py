@@ -57,7 +57,7 @@ WRONG_KEYS = [
     ({"kind": "tensor", "points": NET[:5]}, "points: expected 6 rows, got 5"),
     ({"kind": "tensor", "points": [*NET[:5], NET[5][:4]]}, "points[5]: expected 6 points, got 4"),
     ({"kind": "tensor", "points": [*NET[:5], []]}, "points[5]: expected 6 points, got 0"),
-    ({"kind": "tensor", "points": NET, "basis": "bernstein", "shape": [0]}, "shape: expected 4 numbers, got 1"),
+    ({"kind": "tensor", "points": NET, "basis": "bernstein", "shape": [0]}, "shape: expected none or 4 numbers"),
     ({"kind": "tensor", "points": NET[:1], "basis": "bernstein"}, "points: expected at least 2 rows, got 1"),
     ({"kind": "symmetric", "points": NET, "mirror": [1, 0, 0, 0]}, "points: expected 3 rows, got 6"),
     ({"kind": "symmetric", "points": NET[:3], "mirror": [1, 0, 0]}, "mirror: expected 4 numbers, got 3"),
@@ -65,7 +65,7 @@ WRONG_KEYS = [
         {"kind": "symmetric", "points": NET[:3], "mirror": [0, 0, 0, 1]},
         "mirror: expected [a, b, c, d] with (a, b, c) not",
     ),
-    ({"kind": "developable", "planes": [[0, 0, 1, 0]] * 5, "bounds": []}, "planes: expected 6 planes, got 5"),
+    ({"kind": "developable", "planes": [[0, 0, 1, 0]] * 5, "bounds": [[0, 1, 0, 0]] * 2}, "planes: expected 6 planes"),
     ({"kind": "developable", "planes": [[0, 0, 1]] * 6, "bounds": [[0, 1, 0, 0]] * 2}, "planes[0]: expected 4 numbers"),
     (
         {"kind": "developable", "planes": [[0, 0, 0, 1]] * 6, "bounds": [[0, 1, 0, 0]] * 2},
@@ -75,7 +75,7 @@ WRONG_KEYS = [
     # shape parameters
     ({**SWEPT, "shape": [0, 0, 1.5, 0]}, "shape[2] (alpha2) = 1.5 is outside [-4, 1]"),
     ({**SWEPT, "shape": [0, -4.001, 0, 0]}, "shape[1] (zeta1) = -4.001 is outside [-4, 1]"),
-    ({**SWEPT, "shape": [0, 0, 0]}, "shape: expected 4 numbers, got 3"),
+    ({**SWEPT, "shape": [0, 0, 0]}, "shape: expected 4 numbers (alpha1, zeta1, alpha2, zeta2), found 3"),
     ({**SWEPT, "shape": "1"}, "shape: expected a list, got '1'"),
     ({**SWEPT, "shape": [0, 0, float("nan"), 0]}, "shape[2]: expected a finite number, got nan"),
     ({**SWEPT, "shape": [0, 0, 1e60, 0], "unchecked_shape": True}, "shape[2]: expected a number of size at most 1e50"),
@@ -83,8 +83,8 @@ WRONG_KEYS = [
     # words
     ({**SWEPT, "flip": 1}, "flip: expected true or false, got 1"),
     ({**SWEPT, "flip": "yes"}, "flip: expected true or false, got 'yes'"),
-    ({**SWEPT, "basis": "bezier"}, "basis: expected 'trigonometric' or 'bernstein', got 'bezier'"),
-    ({**SWEPT, "basis": ["bernstein"]}, "basis: expected 'trigonometric' or 'bernstein', got ['bernstein']"),
+    ({**SWEPT, "basis": "bezier"}, "basis: expected one of trigonometric, "),
+    ({**SWEPT, "basis": ["bernstein"]}, "basis: expected one basis, or 2, found 1"),
     # keys
     ({**SWEPT, "secton": 1}, "unknown key 'secton'; did you mean 'section'?"),
     ({"kind": "swept", "sectoin": SECTION, "trajectory": TRAJECTORY}, "unknown key 'sectoin'; did you mean 'section'?"),
@@ -162,7 +162,7 @@ def test_a_model_is_a_table_of_keys(data):
 
 
 def test_the_place_names_the_patch():
-    with pytest.raises(ModelError, match=r'^patch "Lid": shape: expected 4 numbers, got 1$'):
+    with pytest.raises(ModelError, match=r'^patch "Lid": shape: expected 4 numbers \(alpha1, .*, zeta2\), found 1$'):
         Model.from_dict({"name": "Lid", **SWEPT, "shape": [1]})
 
 

@@ -1,4 +1,4 @@
-"""``quintrig.plot`` and the style of pictures: what is asked for is drawn, and PDFs carry fonts that publishers take."""
+"""``quintrig.plot`` and the style of pictures: what is asked for is drawn, and PDFs carry fonts that may be printed."""
 
 from pathlib import Path
 

@@ -2,6 +2,7 @@
 
 import pytest
 
+from quintrig import analyse, sphere
 from quintrig.quantities.classify import HK_TYPES, INVARIANT_TYPES, POINT_TYPES, SHAPE_CLASSES
 from quintrig.quantities.table import BY_KEY, CLASSES, QUANTITIES, SCALARS, mirrored, quantity
 

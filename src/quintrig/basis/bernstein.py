@@ -28,6 +28,11 @@ class Bernstein(Functions):
         return self.degree + 1
 
     @property
+    def label(self) -> str:
+        """The name of the basis."""
+        return "bernstein"
+
+    @property
     def partition(self) -> bool:
         """Whether the functions sum to 1: they do."""
         return True

@@ -6,11 +6,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from quintrig.basis.functions import Functions
-from quintrig.basis.rational import NotRationalError, RationalFunctions, TangentMap, clamped_knots
+from quintrig.basis.rational import HIGHEST_DEGREE, NotRationalError, RationalFunctions, TangentMap, clamped_knots
 from quintrig.support.arrays import FloatArray, frozen, parameter
-
-HIGHEST_DEGREE = 25
-"""Highest degree that CAD kernels exchange."""
 
 CLOSEST = 1e-14
 """Least distance of two knots that are not equal, the domain being 1: nearer ones leave a parameter no digits."""

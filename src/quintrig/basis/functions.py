@@ -43,6 +43,21 @@ class Functions(Protocol):
         ...
 
     @property
+    def label(self) -> str:
+        """The name of the basis under which constructions and model files take it; none for other functions."""
+        return ""
+
+    @property
+    def outside(self) -> bool:
+        """Whether a shape parameter is outside the range that the basis warrants."""
+        return False
+
+    @property
+    def caveats(self) -> tuple[str, ...]:
+        """What a reader of a surface of these functions must be warned of, one sentence each."""
+        return ()
+
+    @property
     def partition(self) -> bool:
         """Whether the functions sum to 1."""
         return False

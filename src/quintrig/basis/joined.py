@@ -31,6 +31,11 @@ class Joined(Functions):
         return np.unique(np.concatenate([part.breaks for part in self.parts]))
 
     @property
+    def caveats(self) -> tuple[str, ...]:
+        """What a reader must be warned of, from all parts."""
+        return tuple(line for part in self.parts for line in part.caveats)
+
+    @property
     def terms(self) -> int:
         """Number of increments: those of all parts."""
         return sum(part.terms for part in self.parts)

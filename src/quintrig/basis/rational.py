@@ -16,6 +16,9 @@ from numpy.typing import ArrayLike
 
 from quintrig.support.arrays import FloatArray, parameter
 
+HIGHEST_DEGREE = 25
+"""Highest degree that CAD kernels exchange."""
+
 
 class NotRationalError(ValueError):
     """A surface that has no exact rational form, such as a catenoid; a fit has to do."""
@@ -139,6 +142,10 @@ def assembled(parts: Sequence[Part]) -> RationalFunctions:
         raise NotRationalError(f"{names} have no common rational parameter")
     (common,) = maps
     degree = max(1, *(part.rational_degree() for part in parts))
+    if degree > HIGHEST_DEGREE:
+        raise NotRationalError(
+            f"their rational form is of degree {degree}, and CAD systems read at most {HIGHEST_DEGREE}"
+        )
     coefficients = np.concatenate([part.numerators(common, degree) for part in parts], axis=-1)
     knots = clamped_knots(np.linspace(0.0, 1.0, common.spans + 1), degree, degree)
     return RationalFunctions(tuple(knots.tolist()), degree, common, common.weights(degree), coefficients)

@@ -1,22 +1,109 @@
-"""The bases that constructions and curves take, by name."""
+"""The bases that constructions, curves and model files take: by name, as a family, or as a pair for u and v."""
 
-from typing import Literal
+from collections.abc import Mapping, Sequence
+from functools import lru_cache
+from types import MappingProxyType
+from typing import Any, cast
 
-from quintrig.basis.bernstein import Bernstein
+from quintrig.basis.formulas import Basis, Parameter
 from quintrig.basis.functions import Functions
-from quintrig.basis.trigonometric import Trigonometric
+from quintrig.basis.library import LIBRARY, Entry, of_basis
+from quintrig.support.errors import nearest
+from quintrig.support.plugins import with_plugins
 
-BasisName = Literal["trigonometric", "bernstein"]
+GROUP = "quintrig.bases"
+"""Entry points of this group add bases: an ``Entry``, a ``Basis``, or a table as in a model file."""
+
+DEFAULT = "trigonometric"
+
+Choice = str | Entry | Functions
+"""One basis: a name, an entry, or a family at values of its own."""
 
 
-def family(name: BasisName, points: int, alpha: float, zeta: float, unchecked: bool = False) -> Functions:
-    """Return the basis called ``name`` for this many control points; ValueError where they do not fit."""
-    if name == "trigonometric":
-        if points != 6:
-            raise ValueError(f"points: expected 6 control points for the trigonometric basis, found {points}")
-        return Trigonometric(alpha, zeta, unchecked)
-    if name == "bernstein":
-        if points < 2:
-            raise ValueError(f"points: expected 2 or more control points, found {points}")
-        return Bernstein(points - 1)
-    raise ValueError(f"basis: expected 'trigonometric' or 'bernstein', found {name!r}")
+@lru_cache(maxsize=1)
+def bases() -> Mapping[str, Entry]:
+    """Return all bases by name: those of the library, then those of installed packages."""
+    own = {entry.name: entry for entry in LIBRARY}
+    return MappingProxyType(with_plugins(GROUP, own, _accepted))
+
+
+def entry(name: str, own: Mapping[str, Entry] | None = None) -> Entry:
+    """Return a basis by name, of a model's ``own`` or of all; ValueError with the nearest known name."""
+    known = {**bases(), **(own or {})}
+    if name not in known:
+        raise ValueError(f"basis: expected one of {', '.join(known)}, found {name!r}{nearest(name, known)}")
+    return known[name]
+
+
+def family(choice: Choice, points: int, values: Sequence[float] = (), unchecked: bool = False) -> Functions:
+    """Return the functions of a basis for so many control points; ValueError where they do not fit.
+
+    ``values`` are those of the shape parameters; without any they start where the basis says.
+    """
+    if isinstance(choice, (str, Entry)):
+        found = entry(choice) if isinstance(choice, str) else choice
+        try:
+            return found.family(points, values, unchecked)
+        except ValueError as error:
+            raise ValueError(f"points: {error}" if str(error).startswith("expected") else str(error)) from None
+    if choice.size != points:
+        raise ValueError(f"points: expected {choice.size} control points, one for each function, found {points}")
+    return choice
+
+
+def own_basis(name: str, table: object) -> Basis:
+    """Return a basis from a table with ``functions``, and ``parameters`` and ``source`` if it likes; ValueError."""
+    if name in {one.name for one in LIBRARY}:
+        raise ValueError(f"{name!r} is the name of a basis that quintrig brings; choose another name")
+    if not name.isidentifier() or not name.isascii() or len(name) > 60:
+        raise ValueError(f"expected a name of letters, digits and _, found {name[:60]!r}")
+    keys = _table(table, "expected a table with functions = [...] and parameters = {...}")
+    unknown = next((key for key in keys if key not in _KEYS), None)
+    if unknown is not None:
+        raise ValueError(f"unknown key {unknown!r}{nearest(unknown, _KEYS)}; the keys are {', '.join(_KEYS)}")
+    functions = _list(keys.get("functions"), 'functions: expected a list of formulas, such as ["1-t", "t"]')
+    ranges = _table(keys.get("parameters", {}), "parameters: expected a table such as { lam = [-1, 1] }")
+    source = keys.get("source", "")
+    if not isinstance(source, str) or len(source) > 400:
+        raise ValueError(f"source: expected a text of at most 400 letters, found {_found(source)}")
+    parameters: list[Parameter] = []
+    for one, ends in ranges.items():
+        expected = f"parameters.{one[:40]}: expected its range [low, high], such as [-1, 1]"
+        pair = _list(ends, expected)
+        if len(pair) not in (2, 3):  # the third is where it starts
+            raise ValueError(f"{expected}, found {_found(ends)}")
+        parameters.append(Parameter(one, *pair))
+    return Basis(name, tuple(functions), tuple(parameters), source)
+
+
+_KEYS = ("functions", "parameters", "source")
+
+
+def _table(value: object, expected: str) -> dict[str, Any]:
+    if not isinstance(value, Mapping):
+        raise ValueError(f"{expected}, found {_found(value)}")  # noqa: TRY004 — a mistake in a file, told as one
+    return {str(key): one for key, one in cast(Mapping[Any, Any], value).items()}
+
+
+def _list(value: object, expected: str) -> list[Any]:
+    if not isinstance(value, (list, tuple)):
+        raise ValueError(f"{expected}, found {_found(value)}")  # noqa: TRY004 — a mistake in a file, told as one
+    return list(cast(Sequence[Any], value))
+
+
+def _found(value: object) -> str:
+    return "none" if value is None else repr(value)[:60]
+
+
+def _accepted(name: str, thing: Any) -> Entry:
+    """Return what an entry point stands for; ValueError where it is no basis."""
+    if isinstance(thing, Entry):
+        if thing.name != name:
+            raise ValueError(f"expected a basis called {name!r}, found {thing.name!r}")
+        thing.basis()
+        return thing
+    if isinstance(thing, Basis):
+        return of_basis(Basis(name, thing.functions, thing.parameters, thing.source))
+    if isinstance(thing, Mapping):
+        return of_basis(own_basis(name, cast(object, thing)))
+    raise ValueError(f"expected an Entry, a Basis or a table of formulas, found {type(thing).__name__}")

@@ -40,6 +40,16 @@ class Trigonometric(Functions):
         return 6
 
     @property
+    def label(self) -> str:
+        """The name of the basis."""
+        return "trigonometric"
+
+    @property
+    def outside(self) -> bool:
+        """Whether α or ζ is outside [-4, 1]."""
+        return not all(SHAPE_RANGE[0] <= x <= SHAPE_RANGE[1] for x in (self.alpha, self.zeta))
+
+    @property
     def partition(self) -> bool:
         """Whether the functions sum to 1: they do."""
         return True
@@ -51,7 +61,7 @@ class Trigonometric(Functions):
         a difference of ``slopes``: so all keep their relative accuracy at the end points, where a Fourier sum does not.
         """
         t = parameter(t, "t")
-        s, c, a, b = (series[0] for series in _sines(t, 0))
+        s, c, a, b = (series[0] for series in sines(t, 0))
         values: list[FloatArray] = [
             a**4 * np.where(t < 0.5, 1.0 - self.alpha * s, 1.0 - self.alpha + self.alpha * a),
             s * a**3 * np.where(t < 0.5, 4.0 + self.alpha - self.alpha * s, 4.0 + self.alpha * a),
@@ -83,7 +93,7 @@ class Trigonometric(Functions):
         outside [0, 1].
         """
         t = parameter(t, "t")
-        s, c, a, b = _sines(t, order)
+        s, c, a, b = sines(t, order)
         near_start = t < 0.5
         one = taylor.constant(1.0, s)
         rising, falling = one if start else s, one if end else c
@@ -166,7 +176,7 @@ def shape_parameter(value: float, name: str, unchecked: bool = False) -> float:
     return value
 
 
-def _sines(t: FloatArray, order: int) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+def sines(t: FloatArray, order: int) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
     """Return the series of sine and cosine of πt/2, 1 - sine and 1 - cosine; none cancels, the ends are exact."""
     sine, cosine = sin_cos(t)
     s, c = _rotation(sine, cosine, order), _rotation(cosine, -sine, order)

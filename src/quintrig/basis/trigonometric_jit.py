@@ -10,7 +10,7 @@ from quintrig.support.compiled import BLOCK, loop, scalar
 
 
 @scalar
-def _half_angle(x: float) -> tuple[float, float]:
+def half_angle(x: float) -> tuple[float, float]:
     """Return sin and cos of (π/4) x for x in [0, 1], within 2 units in the last place.
 
     The Taylor series to x^17 and x^18, whose remainders are below 1e-19: a library call would keep the loop from
@@ -68,8 +68,8 @@ def fill(t: FloatArray, alpha: float, zeta: float, out: FloatArray) -> None:
         x = t[block]
         d = out[block]
         for k in range(BLOCK):
-            p, q = _half_angle(x[k])
-            r, w = _half_angle(1.0 - x[k])
+            p, q = half_angle(x[k])
+            r, w = half_angle(1.0 - x[k])
             near = x[k] < 0.5
             # sin and cos of πt/2, and one minus each without cancellation.
             s, c = 2.0 * p * q, 2.0 * r * w
@@ -111,8 +111,8 @@ def across(t: FloatArray, alpha: float, zeta: float, start: bool, end: bool, out
         x = t[block]
         d = out[block]
         for k in range(BLOCK):
-            p, q = _half_angle(x[k])
-            r, w = _half_angle(1.0 - x[k])
+            p, q = half_angle(x[k])
+            r, w = half_angle(1.0 - x[k])
             near = x[k] < 0.5
             s, c = 2.0 * p * q, 2.0 * r * w
             a = 1.0 - s if near else 2.0 * r * r

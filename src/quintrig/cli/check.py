@@ -95,8 +95,8 @@ def _facts(patch: "Patch", unit: str, summary: "Summary") -> list[tuple[str, str
     facts = [("kind", _kind(patch)), ("size", f"{_quantity(box, unit)} along x, y, z; area {area}")]
     if not unit:
         facts.append(("unit", "none stated: plain numbers"))
-    if patch.definition.acting:
-        names = ("α1", "ζ1", "α2", "ζ2") if len(patch.shape) == 4 else ("α", "ζ")
+    names = patch.definition.shape_symbols
+    if names:
         facts.append(("shape", ", ".join(f"{n} = {value:g}" for n, value in zip(names, patch.shape, strict=True))))
     facts.append(("normal", _normal(patch, summary)))
     facts.append(("curvature", "; ".join(_range(key, unit, summary) for key in ("gaussian", "mean"))))
@@ -106,8 +106,8 @@ def _facts(patch: "Patch", unit: str, summary: "Summary") -> list[tuple[str, str
 def _kind(patch: "Patch") -> str:
     words = (type(patch.definition).__doc__ or "").splitlines()[0].rstrip(".")
     first = words if words.partition("'")[0].lower() == patch.kind else f"{words[0].lower()}{words[1:]}"  # Enneper's
-    if patch.definition.classical:
-        first += ", classical Bernstein basis, on which shape parameters do not act"
+    if patch.definition.basis_words:
+        first += f", {patch.definition.basis_words}"
     return first if first == patch.kind else f"{patch.kind}: {first}"
 
 

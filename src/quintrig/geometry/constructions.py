@@ -1,6 +1,8 @@
 """The constructions from control points: tensor product, symmetric, swept, swung and ruled surfaces.
 
-Each is a net computed in a line or two. ``shape`` is (α1, ζ1, α2, ζ2): the first pair acts in u, the second in v.
+Each is a net computed in a line or two. ``basis`` is a name, a family of functions, or a pair of them for u and v, and
+says how many points there are. ``shape`` holds the shape parameters of the basis in u, then those in v: for the quintic
+trigonometric basis (α1, ζ1, α2, ζ2).
 The enveloping developable, which starts from planes, is in ``envelope``.
 """
 
@@ -12,19 +14,21 @@ from numpy.typing import ArrayLike
 
 from quintrig.basis.bernstein import Bernstein
 from quintrig.basis.joined import Joined
-from quintrig.basis.registry import BasisName, family
-from quintrig.basis.trigonometric import shape_parameter
+from quintrig.basis.library import Entry
+from quintrig.basis.pairs import Bases, check_count, families, pair
+from quintrig.basis.registry import DEFAULT, Choice
 from quintrig.geometry.origin import local_origin, moved_plane
 from quintrig.geometry.surface import Net, Surface
 from quintrig.support.arrays import FloatArray, frozen, number
 
-Shape = Sequence[float]
+Shape = Sequence[float] | None
+"""Values of the shape parameters; none for those that the basis starts from."""
 
 
 class Options(TypedDict):
     """The keyword arguments that every construction takes."""
 
-    basis: BasisName
+    basis: Bases
     flip: bool
     unchecked_shape: bool
 
@@ -34,15 +38,16 @@ SHAPE_NAMES = ("alpha1", "zeta1", "alpha2", "zeta2")
 
 def tensor(
     points: ArrayLike,
-    shape: Shape = (0.0, 0.0, 0.0, 0.0),
+    shape: Shape = None,
     *,
-    basis: BasisName = "trigonometric",
+    basis: Bases = DEFAULT,
     flip: bool = False,
     unchecked_shape: bool = False,
 ) -> Surface:
     """Return S = ΣΣ P_ij f_i(u; α1, ζ1) f_j(v; α2, ζ2) (thesis eq. 3.1); ``points`` (6, 6, 3), length¹.
 
-    With ``basis="bernstein"`` any (n, m, 3). Raises ValueError for wrong counts, values or shape parameters.
+    Other bases take (n, m, 3), as many as they have functions. Raises ValueError for wrong counts, values or shape
+    parameters.
     """
     net = frozen(points, "points", (None, None, 3))
     origin = local_origin(net)
@@ -52,9 +57,9 @@ def tensor(
 def symmetric(
     half_net: ArrayLike,
     mirror: ArrayLike,
-    shape: Shape = (0.0, 0.0, 0.0, 0.0),
+    shape: Shape = None,
     *,
-    basis: BasisName = "trigonometric",
+    basis: Bases = DEFAULT,
     flip: bool = False,
     unchecked_shape: bool = False,
 ) -> Surface:
@@ -65,26 +70,35 @@ def symmetric(
     """
     half = frozen(half_net, "points", (None, None, 3))
     plane = frozen(mirror, "mirror", (4,))
-    if basis == "trigonometric" and half.shape[:2] != (3, 6):
-        raise ValueError(f"points: expected 3 rows of 6 points, found {half.shape[0]} rows of {half.shape[1]}")
+    rows = len(half)
+    odd = mirrored(pair(basis)[0], rows) % 2 == 1
     origin = local_origin(half)
     local, seen = half - origin, moved_plane(plane, origin)
-    net = np.concatenate([local, reflected(local, seen)[::-1]])
+    image = reflected(local, seen)[::-1]
+    if odd:
+        away = float(np.abs(image[0] - local[-1]).max())
+        if away > 1e-9 * float(np.abs(local).max()):
+            raise ValueError(
+                f"points[{rows - 1}]: expected points on the mirror plane, as this basis has a middle row, "
+                f"found them {0.5 * away:.3g} away"
+            )
+        image = image[1:]
+    net = np.concatenate([local, image])
     return _tensor(net, origin, shape, Options(basis=basis, flip=flip, unchecked_shape=unchecked_shape))
 
 
 def swept(
     section: ArrayLike,
     trajectory: ArrayLike,
-    shape: Shape = (0.0, 0.0, 0.0, 0.0),
+    shape: Shape = None,
     *,
-    basis: BasisName = "trigonometric",
+    basis: Bases = DEFAULT,
     flip: bool = False,
     unchecked_shape: bool = False,
 ) -> Surface:
     """Return the translational sweep S = C(u) + T(v) of two space curves of 6 points each (thesis §3.2.2)."""
-    c = _polygon(section, "section", 3, basis)
-    t = _polygon(trajectory, "trajectory", 3, basis)
+    c = _polygon(section, "section", 3, basis, 0)
+    t = _polygon(trajectory, "trajectory", 3, basis, 1)
     origins = local_origin(c), local_origin(t)
     local = (c - origins[0])[:, None] + (t - origins[1])[None, :]
     steps = np.zeros_like(local)  # those of each curve, without the sum of both
@@ -96,10 +110,10 @@ def swept(
 def swung(
     profile: ArrayLike,
     trajectory: ArrayLike,
-    shape: Shape = (0.0, 0.0, 0.0, 0.0),
+    shape: Shape = None,
     scale: float = 1.0,
     *,
-    basis: BasisName = "trigonometric",
+    basis: Bases = DEFAULT,
     flip: bool = False,
     unchecked_shape: bool = False,
 ) -> Surface:
@@ -107,8 +121,8 @@ def swung(
 
     Six pairs each. The surface is singular where r = 0: all of that row is one point.
     """
-    r, z = _polygon(profile, "profile", 2, basis).T
-    x, y = _polygon(trajectory, "trajectory", 2, basis).T
+    r, z = _polygon(profile, "profile", 2, basis, 0).T
+    x, y = _polygon(trajectory, "trajectory", 2, basis, 1).T
     radius = number(scale, "scale") * r
     net = np.stack([np.outer(radius, x), np.outer(radius, y), np.outer(z, np.ones_like(x))], axis=-1)
     origin = local_origin(net)
@@ -124,18 +138,18 @@ def swung(
 def ruled(
     first: ArrayLike,
     second: ArrayLike,
-    shape: Shape = (0.0, 0.0, 0.0, 0.0),
+    shape: Shape = None,
     *,
-    basis: BasisName = "trigonometric",
+    basis: Bases = DEFAULT,
     flip: bool = False,
     unchecked_shape: bool = False,
 ) -> Surface:
     """Return S = (1 - v) A(u) + v B(u), A with (α1, ζ1) and B with (α2, ζ2), 6 points each (thesis §3.2.4)."""
-    a = _polygon(first, "first", 3, basis)
-    b = _polygon(second, "second", 3, basis)
-    a1, z1, a2, z2 = _shape(shape, unchecked_shape)
-    functions = Joined((family(basis, len(a), a1, z1, unchecked_shape), family(basis, len(b), a2, z2, unchecked_shape)))
-    origin = local_origin(np.concatenate([a, b]))
+    a = _polygon(first, "first", 3, basis, 0)
+    b = _polygon(second, "second", 3, basis, 1)
+    functions = Joined(families(pair(basis), (len(a), len(b)), ("first", "second"), shape, unchecked_shape))
+    still = all(part.partition for part in functions.parts)
+    origin = local_origin(np.concatenate([a, b])) if still else np.zeros(3)
     points = np.zeros((len(a) + len(b), 2, 3))
     points[: len(a), 0] = a - origin
     points[len(a) :, 1] = b - origin
@@ -161,34 +175,37 @@ def _tensor(
     steps: FloatArray | None = None,
 ) -> Surface:
     """Return the surface on points as seen from an origin, (n, m, 3); ``net`` holds them as they are, to be drawn."""
-    basis, unchecked = options["basis"], options["unchecked_shape"]
-    a1, z1, a2, z2 = _shape(shape, unchecked)
-    _count(local, 0, "points", basis)
-    _count(local, 1, "points[0]", basis)
-    u = family(basis, local.shape[0], a1, z1, unchecked)
-    v = family(basis, local.shape[1], a2, z2, unchecked)
+    counts, places = local.shape[:2], ("points", "points[0]")
+    u, v = families(pair(options["basis"]), counts, places, shape, options["unchecked_shape"])
+    if not (
+        u.partition and v.partition
+    ):  # then the surface moves with the coordinate origin, and only that one is meant
+        local, origin, steps = local + origin, np.zeros(3), None
     frozen(local, "points", (None, None, 3))  # sums and products may have no finite value
     return Surface(Net(local, u, steps), v, options["flip"], local + origin if net is None else net, origin=origin)
 
 
-def _shape(shape: Shape, unchecked: bool) -> tuple[float, float, float, float]:
-    values = frozen(shape, "shape", (4,))
-    a1, z1, a2, z2 = (
-        shape_parameter(float(value), f"shape[{i}] ({name})", unchecked)
-        for i, (name, value) in enumerate(zip(SHAPE_NAMES, values, strict=True))
-    )
-    return a1, z1, a2, z2
-
-
-def _polygon(points: ArrayLike, name: str, dimension: int, basis: BasisName) -> FloatArray:
+def _polygon(points: ArrayLike, name: str, dimension: int, basis: Bases, direction: int) -> FloatArray:
     array = frozen(points, name, (None, dimension))
-    _count(array, 0, name, basis)
+    check_count(pair(basis)[direction], len(array), name)
     return array
 
 
-def _count(points: FloatArray, axis: int, name: str, basis: BasisName) -> None:
-    found = points.shape[axis]
-    if basis == "trigonometric" and found != 6:
-        raise ValueError(f"{name}: expected 6 control points for the trigonometric basis, found {found}")
-    if found < 2:
-        raise ValueError(f"{name}: expected 2 or more control points, found {found}")
+def mirrored(choice: Choice, rows: int) -> int:
+    """Return how many rows a net has of which so many, half of them, are given: the last is the middle one if odd.
+
+    Raises ValueError where the basis in u has no functions for such a number.
+    """
+    for whole in (2 * rows, 2 * rows - 1):
+        if _takes(choice, whole):
+            return whole
+    sizes = choice.sizes if isinstance(choice, Entry) else (len(choice) if isinstance(choice, str) else choice.size,)
+    halves = sorted({(n + 1) // 2 for n in sizes})
+    told = " or ".join(map(str, halves)) if len(halves) < 4 else f"{halves[0]} to {halves[-1]}"
+    raise ValueError(f"points: expected {told} rows, half of the net, found {rows}")
+
+
+def _takes(choice: Choice, points: int) -> bool:
+    return (
+        points in choice.sizes if isinstance(choice, Entry) else not isinstance(choice, str) and choice.size == points
+    )

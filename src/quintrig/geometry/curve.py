@@ -1,5 +1,6 @@
 """Quintic trigonometric (or classical) Bézier curves in the plane or in space."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -7,7 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from quintrig.basis.functions import Functions
-from quintrig.basis.registry import BasisName, family
+from quintrig.basis.pairs import check_count, families, pair, parameters
+from quintrig.basis.registry import DEFAULT, Choice
 from quintrig.geometry.origin import local_origin
 from quintrig.support.arrays import FloatArray, frozen, number, parameter, whole
 from quintrig.support.pickled import Pickled
@@ -19,23 +21,26 @@ _SINGULAR = 1e-13  # speed below this share of the polygon's length: the tangent
 class Curve(Pickled):
     """z(t) = Σ P_i f_i(t), t in [0, 1] (thesis eq. 2.1).
 
-    ``points`` is (6, 2) or (6, 3), any number of rows for ``basis="bernstein"``; ``alpha`` and ``zeta`` are in
-    [-4, 1] and act at t = 0 and t = 1. Raises ValueError for wrong counts, values or shape parameters.
+    ``points`` is (6, 2) or (6, 3), as many as another ``basis`` has functions; ``alpha`` and ``zeta`` are in [-4, 1]
+    and act at t = 0 and t = 1. ``shape`` holds the shape parameters of any basis, in its order, in their place. Raises
+    ValueError for wrong counts, values or shape parameters.
     """
 
     points: FloatArray
     alpha: float = 0.0
     zeta: float = 0.0
-    basis: BasisName = "trigonometric"
+    basis: Choice = DEFAULT
     unchecked_shape: bool = False
+    shape: tuple[float, ...] | None = None
 
     def __init__(
         self,
         points: ArrayLike,
         alpha: float = 0.0,
         zeta: float = 0.0,
-        basis: BasisName = "trigonometric",
+        basis: Choice = DEFAULT,
         unchecked_shape: bool = False,
+        shape: Sequence[float] | None = None,
     ) -> None:
         """Copy and check the points, then the basis that goes with them."""
         object.__setattr__(self, "points", frozen(points, "points", (None, 2), (None, 3)))
@@ -43,6 +48,7 @@ class Curve(Pickled):
         object.__setattr__(self, "zeta", number(zeta, "zeta"))
         object.__setattr__(self, "basis", basis)
         object.__setattr__(self, "unchecked_shape", unchecked_shape)
+        object.__setattr__(self, "shape", None if shape is None else tuple(frozen(shape, "shape", (None,)).tolist()))
         _ = self.functions
 
     def __repr__(self) -> str:
@@ -54,7 +60,14 @@ class Curve(Pickled):
     @property
     def functions(self) -> Functions:
         """The basis functions f_i."""
-        return family(self.basis, len(self.points), self.alpha, self.zeta, self.unchecked_shape)
+        (choice, _), points, shape = pair(self.basis), len(self.points), self.shape
+        check_count(choice, points, "points")
+        names = [one.name for one in parameters(choice, points)]
+        if shape is None and names == ["alpha", "zeta"]:
+            shape = (self.alpha, self.zeta)
+        elif (self.alpha or self.zeta) and names:
+            raise ValueError(f"alpha, zeta: this basis has {', '.join(names)}; give their values as shape=[...]")
+        return families((choice,), (points,), ("points",), shape, self.unchecked_shape)[0]
 
     def __call__(self, t: ArrayLike) -> FloatArray:
         """Return points, shape (*t.shape, 2 or 3), length¹; ValueError for t outside [0, 1]."""
@@ -62,9 +75,10 @@ class Curve(Pickled):
 
     def derivatives(self, t: ArrayLike, order: int) -> FloatArray:
         """Return derivatives 0 to ``order`` by t, shape (order + 1, *t.shape, 2 or 3), length¹."""
-        functions = self.functions.derivatives(parameter(t, "t"), whole(order, "order", 0))
+        family = self.functions
+        functions = family.derivatives(parameter(t, "t"), whole(order, "order", 0))
         # The derivatives of a basis sum to 0, so that far from the origin they need not see how far.
-        origin = local_origin(self.points)
+        origin = local_origin(self.points) if family.partition else 0.0
         result = functions @ (self.points - origin)
         result[0] += origin
         return result

@@ -8,8 +8,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from quintrig.basis.bernstein import Bernstein, TangentBernstein
-from quintrig.basis.rational import wedge_points, without_factor
-from quintrig.basis.trigonometric import Trigonometric, homogeneous, shape_parameter
+from quintrig.basis.functions import Functions
+from quintrig.basis.pairs import families, pair
+from quintrig.basis.rational import RIGHT_ANGLE, NotRationalError, TangentMap, wedge_points, without_factor
+from quintrig.basis.registry import DEFAULT, Choice
 from quintrig.geometry.origin import local_origin, moved_plane
 from quintrig.geometry.surface import Net, Surface
 from quintrig.support import taylor
@@ -24,28 +26,26 @@ ROUNDING = 64.0 * np.finfo(np.float64).eps
 def developable(
     planes: ArrayLike,
     bounds: ArrayLike,
-    shape: Sequence[float] = (0.0, 0.0),
+    shape: Sequence[float] | None = None,
     *,
+    basis: Choice = DEFAULT,
     flip: bool = False,
     unchecked_shape: bool = False,
 ) -> Surface:
     """Return the strip enveloped by Π(t) = Σ f_i(t; α, ζ) L_i between two bounding planes (thesis §3.3.2).
 
-    ``planes`` (6, 4) and ``bounds`` (2, 4) hold (a, b, c, d) of a x + b y + c z + d = 0; ``shape`` is (α, ζ). The
-    ruling at u is Π ∩ Π'; v = 0 lies on the first bounding plane, v = 1 on the second. K = 0. The edge of regression
-    may fall inside: ask ``regression``. Raises ValueError for wrong counts or values, and where the planes envelop no
-    strip at all.
+    ``planes`` (6, 4), or as many as another basis has functions, and ``bounds`` (2, 4) hold (a, b, c, d) of
+    a x + b y + c z + d = 0; ``shape`` is (α, ζ). The ruling at u is Π ∩ Π'; v = 0 lies on the first bounding plane,
+    v = 1 on the second. K = 0. The edge of regression may fall inside: ask ``regression``. Raises ValueError for wrong
+    counts or values, and where the planes envelop no strip at all.
     """
-    family = frozen(planes, "planes", (6, 4))
+    family = frozen(planes, "planes", (None, 4))
     cuts = frozen(bounds, "bounds", (2, 4))
-    values = frozen(shape, "shape", (2,))
-    alpha = shape_parameter(float(values[0]), "shape[0] (alpha)", unchecked_shape)
-    zeta = shape_parameter(float(values[1]), "shape[1] (zeta)", unchecked_shape)
+    (functions,) = families(pair(basis)[:1], (len(family),), ("planes",), shape, unchecked_shape)
     for name, vectors in (("planes", family), ("bounds", cuts)):
         flat = np.flatnonzero(~(np.abs(vectors[:, :3]).max(axis=1) > 0.0))
         if len(flat):
             raise ValueError(f"{name}[{flat[0]}]: expected a plane [a, b, c, d], found one with a = b = c = 0")
-    functions = Trigonometric(alpha, zeta, unchecked_shape)
     origin = _strip_origin(Envelope(family, cuts, functions))
     rows = Envelope(family, cuts, functions, origin)
     if not rows.meets():
@@ -68,12 +68,13 @@ class Envelope(Pickled):
 
     planes: FloatArray
     bounds: FloatArray
-    functions: Trigonometric
+    functions: Functions
     origin: FloatArray = field(default_factory=lambda: np.zeros(3))
 
     def __repr__(self) -> str:
-        """Return one line: planes and shape parameters."""
-        return f"<Envelope of {len(self.planes)} planes: alpha {self.functions.alpha:g}, zeta {self.functions.zeta:g}>"
+        """Return one line: planes, family and its parameters."""
+        named = "".join(f", {name} {value:g}" for name, value in self.functions.parameters.items())
+        return f"<Envelope of {len(self.planes)} planes: {type(self.functions).__name__.lower()}{named}>"
 
     @property
     def size(self) -> int:
@@ -97,16 +98,22 @@ class Envelope(Pickled):
 
     @property
     def homogeneous(self) -> Net:
-        """The exact rational form: rows (w x, w y, w z, w) of degree 18 or less in tan(πu/4).
+        """The exact rational form: rows (w x, w y, w z, w), of degree 18 or less in tan(πu/4) for the quintic basis.
 
-        Π is of degree 10, so Π ∩ Π' is of degree 18, or 14 for α = ζ = 0. Where the family of planes stands still at an
-        end, the ruling has a factor that is divided out.
+        There Π is of degree 10, so Π ∩ Π' is of degree 18, or 14 for α = ζ = 0. Polynomial bases give polynomials in u.
+        Where the family of planes stands still at an end, the ruling has a factor that is divided out. Raises
+        NotRationalError for a basis that has no such form.
         """
         planes, bounds = self._local
-        rulings = wedge_points(homogeneous(planes, self.functions.alpha, self.functions.zeta))
+        form = self.functions.rational()
+        if form.map not in (RIGHT_ANGLE, TangentMap()):
+            raise NotRationalError("strips have an exact rational form over a right angle or in polynomials only")
+        growth = 2.0 ** (0.5 * np.arange(form.degree + 1)) if form.map.angle else np.ones(form.degree + 1)
+        rulings = wedge_points(growth[:, None] * (form.coefficients @ planes))
         rulings = without_factor(rulings, _stationary(rulings[0]), _stationary(rulings[-1]))
         points = np.stack([_meet(rulings, cut) for cut in bounds], axis=1)
-        return Net(points, TangentBernstein(len(points) - 1))
+        degree = len(points) - 1
+        return Net(points, TangentBernstein(degree) if form.map.angle else Bernstein(degree))
 
     @cached_property
     def _local(self) -> tuple[FloatArray, FloatArray]:
@@ -126,11 +133,9 @@ class Envelope(Pickled):
     def _dual(self, u: FloatArray, order: int) -> tuple[FloatArray, FloatArray]:
         """Return the series of Π and of Π', the latter without the factors that vanish where Π stands still."""
         planes = self._local[0]
-        edges = np.diff(planes, axis=0)
-        start = self.functions.alpha == -4.0 or not edges[0].any()
-        end = self.functions.zeta == -4.0 or not edges[-1].any()
+        edges = self.functions.split(planes)[1:]
         plane = self.functions.derivatives(u, order) @ planes
-        functions = self.functions.slopes(u, order, start, end)
+        _, functions = self.functions.hodograph(u, order, self.functions.standing(edges))
         slope = functions @ edges
         # Where the terms cancel to nothing the planes turn back, and rounding must not choose the ruling.
         terms = np.abs(functions[0]) @ np.abs(edges)

@@ -122,12 +122,14 @@ def exact_surface(surface: Surface) -> ExactSurface:
 def _strip(surface: Surface, rows: Envelope) -> ExactSurface:
     """Return the form of a strip between two rational boundaries, in as many spans as positive weights need."""
     net = rows.homogeneous
-    if not isinstance(net.functions, TangentBernstein) or surface.blend != Bernstein(1):
+    if surface.blend != Bernstein(1):
         raise NotRationalError("only a strip with straight rulings has an exact rational form here")
-    degree = net.functions.degree
-    control = net.points * (2.0 ** (-0.5 * np.arange(degree + 1)))[:, None, None]
+    degree = net.functions.size - 1
+    turned = isinstance(net.functions, TangentBernstein)
+    change = RIGHT_ANGLE if turned else TangentMap()
+    control = net.points * (2.0 ** (-0.5 * np.arange(degree + 1)) if turned else np.ones(degree + 1))[:, None, None]
     weights = control[..., 3]
-    _check_finite(weights)
+    _check_finite(weights, change)
     # Each boundary may be scaled: positive, and both of weight 1 in the middle of the ruling's weight.
     middle = Bernstein(degree).derivatives(0.5, 0)[0] @ weights
     control = control / middle[:, None]
@@ -138,11 +140,11 @@ def _strip(surface: Surface, rows: Envelope) -> ExactSurface:
     points, weights = control[..., :3] / control[..., 3:] + surface.origin, control[..., 3]
     across = clamped([0.0, 1.0], 1, 1)
     return ExactSurface(
-        basis, across, points, weights, (RIGHT_ANGLE, TangentMap()), projective=not parallel, flip=surface.flip
+        basis, across, points, weights, (change, TangentMap()), projective=not parallel, flip=surface.flip
     )
 
 
-def _check_finite(weights: FloatArray) -> None:
+def _check_finite(weights: FloatArray, change: TangentMap) -> None:
     """Refuse a strip where a weight function vanishes: a ruling is parallel to its bounding plane there."""
     x = np.linspace(0.0, 1.0, 1025)
     values = Bernstein(len(weights) - 1).derivatives(x, 0)[0] @ weights
@@ -150,7 +152,7 @@ def _check_finite(weights: FloatArray) -> None:
     turns = np.sign(values[1:]) != np.sign(values[:-1])
     bad = np.argwhere(small[1:] | small[:-1] | turns)
     if len(bad):
-        at = float(RIGHT_ANGLE.backward(x[bad[0][0]]))
+        at = float(change.backward(x[bad[0][0]]))
         raise ValueError(
             f"the strip reaches infinity near u = {at:.4g}, where a ruling does not meet bounding plane {bad[0][1]}: "
             "it has no form with positive weights; move that plane"

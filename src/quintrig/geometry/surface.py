@@ -244,8 +244,8 @@ def _blended(rows: FloatArray, blend: FloatArray) -> FloatArray:
 
 
 def _called(functions: object) -> str:
-    parts = getattr(functions, "parts", (functions,))
-    return " + ".join(type(part).__name__ for part in parts)
+    parts: tuple[object, ...] = getattr(functions, "parts", (functions,))
+    return " + ".join(str(getattr(part, "name", type(part).__name__)) for part in parts)
 
 
 def _middle(values: FloatArray) -> FloatArray:

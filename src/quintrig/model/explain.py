@@ -10,7 +10,7 @@ from quintrig.model.kinds.definition import Definition
 from quintrig.support.arrays import LARGEST, SMALLEST
 from quintrig.support.errors import closest, nearest
 
-HEADER = ("schema", "name", "unit", "patch")
+HEADER = ("schema", "name", "unit", "bases", "patch")
 """Keys that stand at the top of a file, whatever the kind."""
 
 _NUMBER = f"a number of size at most {LARGEST:.0e}".replace("e+", "e")
@@ -34,6 +34,8 @@ def explain(error: ValidationError, form: type[Definition], keys: dict[str, Any]
     more = f" (and {len(details) - 1} more such)" if len(details) > 1 else ""
     if kind == "extra_forbidden":
         return _unknown(place, form) + more
+    if kind == "value_error":
+        return f"{place}: {context['error']}{more}"
     if kind == "missing":
         return f"missing key {place!r}: expected {form.model_fields[place].description}{more}"
     if kind in ("too_short", "too_long"):

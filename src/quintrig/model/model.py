@@ -7,11 +7,14 @@ from typing import Any, cast
 
 from pydantic import ValidationError
 
+from quintrig.basis.library import Entry
+from quintrig.basis.registry import bases
 from quintrig.geometry.surface import Surface
 from quintrig.model.explain import HEADER, explain, spell
 from quintrig.model.kinds.definition import Definition
 from quintrig.model.kinds.recognise import Bare, recognised
 from quintrig.model.kinds.registry import kinds
+from quintrig.model.own_bases import own_bases, tables_of
 from quintrig.support.csv_rows import rows_of
 from quintrig.support.display import mime_bundle
 from quintrig.support.errors import ModelError, nearest
@@ -87,7 +90,7 @@ class Patch:
             if name not in known:
                 has = f"it has {', '.join(known)}" if known else "it has none"
                 raise ModelError(f'patch "{self.name}": a {self.kind} has no parameter {name!r}; {has}')
-        names = self.definition.shape_names
+        names = tuple(self.definition.ranges)
         shape = [values.get(name, known.get(name, 0.0)) for name in names]
         sizes = {name: value for name, value in values.items() if name not in names}
         return self._with(**sizes, **({"shape": shape} if set(values) & set(names) else {}))
@@ -159,7 +162,7 @@ class Model:
             raise ModelError(f"unit: expected one of {', '.join(UNITS)}, got {unit!r}; {hint}")
         name = _text(data.pop("name", ""), "name")
         if "patch" in data:
-            patches = _several(data, folder)
+            patches = _several(data, _with_bases(data, folder).get("bases", {}), folder)
         else:
             patches = (_patch(data, name or str(data.get("kind", "surface")), folder),)
         return Model(name or patches[0].name, unit, patches)
@@ -184,6 +187,10 @@ class Model:
         ]
         if len(dumps) == 1:
             return header | dumps[0]
+        shared = [dump["bases"] for dump in dumps if "bases" in dump]
+        if shared and all(one == shared[0] for one in shared):
+            header["bases"] = shared[0]
+            dumps = [{key: value for key, value in dump.items() if key != "bases"} for dump in dumps]
         named = [{"name": patch.name} | dump for patch, dump in zip(self.patches, dumps, strict=True)]
         return header | {"patch": named}
 
@@ -264,8 +271,10 @@ def in_rows(points: list[Any], columns: int, place: str) -> list[Any]:
     return [points[i : i + columns] for i in range(0, len(points), columns)]
 
 
-def _several(data: dict[str, Any], folder: Path | None) -> tuple[Patch, ...]:
+def _several(data: dict[str, Any], bases: Any, folder: Path | None) -> tuple[Patch, ...]:
     tables = data.pop("patch")
+    data.pop("bases", None)
+    _ = own_bases(bases)  # which says what is wrong with them
     if not isinstance(tables, list) or not tables:
         raise ModelError(f"patch: expected one or more [[patch]] tables, got {spell(tables)}")
     if data:
@@ -280,7 +289,9 @@ def _several(data: dict[str, Any], folder: Path | None) -> tuple[Patch, ...]:
         name = _text(keys.get("name", place), f"{place}: name")
         if name in [patch.name for patch in patches]:
             raise ModelError(f'patch "{name}": two patches have this name; give each its own')
-        patches.append(_patch(keys, name, folder))
+        form = kinds().get(str(keys.get("kind")))
+        own = {"bases": bases} if bases and form is not None and "bases" in form.model_fields else {}
+        patches.append(_patch(own | keys, name, folder))
     return tuple(patches)
 
 
@@ -293,12 +304,13 @@ def _patch(keys: dict[str, Any], name: str, folder: Path | None) -> Patch:
         raise ModelError(f"{place}: kind: expected one of {', '.join(kinds())}, got {found}{hint}")
     form = kinds()[kind]
     try:
-        keys = _with_nets(keys, form, folder)
+        keys = _with_nets(_with_bases(keys, folder), form, folder)
         definition = form.model_validate(keys)
-        if not definition.classical:
+        if definition.standard:
             for key, counts in form.counts.items():
                 _check_counts(getattr(definition, key), counts, key)
         surface = definition.surface()
+        definition.check_basis()
         _ = surface.size  # which refuses what is too large or too small to compute with
         return Patch(name, definition, surface)
     except ValidationError as error:
@@ -317,10 +329,44 @@ def _with_nets(keys: dict[str, Any], form: type[Definition], folder: Path | None
         if folder is None or file.is_absolute() or ".." in file.parts or file.suffix.lower() != ".csv":
             raise ValueError(f"{key}: expected numbers, or the name of a .csv file beside the model, got {str(file)!r}")
         rows = read_net(folder / file)
-        # A net of rows x columns is listed row by row, as many columns as the trigonometric basis has.
-        columns = form.counts[key][-1] if len(form.counts[key]) == 2 else 0
+        # A net of rows x columns is listed row by row, as many columns as the basis in v has functions.
+        columns = _columns(keys, form.counts[key][-1]) if len(form.counts[key]) == 2 else 0
         result[key] = in_rows(rows, columns, f"{key}: {file}") if columns else rows
     return result
+
+
+def _columns(keys: dict[str, Any], usual: int) -> int:
+    """Return how many points a row of a net has, where the basis in v says, else the usual number."""
+    name = keys.get("basis")
+    names = cast(list[object], name) if isinstance(name, list) else [name]
+    last = str(names[-1]) if names else ""
+    tables = keys.get("bases")
+    own: Mapping[str, Entry] = own_bases(cast(dict[str, Any], tables)) if isinstance(tables, dict) else {}
+    found: Entry | None = {**bases(), **own}.get(last)
+    return found.sizes[0] if found is not None and len(found.sizes) == 1 else usual
+
+
+def _with_bases(keys: dict[str, Any], folder: Path | None) -> dict[str, Any]:
+    """Replace the name of a file of bases by what it holds, and check them before what is built on them."""
+    if isinstance(keys.get("bases"), dict):
+        _ = own_bases(keys["bases"])
+    if not isinstance(keys.get("bases"), str):
+        return keys
+    file = Path(keys["bases"])
+    if folder is None or file.is_absolute() or ".." in file.parts or file.suffix.lower() not in (".toml", ".json"):
+        raise ValueError(
+            f"bases: expected [bases.NAME] tables, or the name of a .toml file beside the model, got {str(file)!r}"
+        )
+    return {**keys, "bases": load_bases(folder / file)}
+
+
+def load_bases(path: Path) -> dict[str, Any]:
+    """Return the tables of a file of ``[basis.NAME]`` tables, by name; ModelError where it is none."""
+    text = read_text(path, "a file of bases")
+    try:
+        return tables_of(parse(text, path.suffix.lower()))
+    except ValueError as error:
+        raise ModelError(f"{path}: {error}") from None
 
 
 def _check_counts(value: Sequence[Any], counts: tuple[int, ...], place: str) -> None:

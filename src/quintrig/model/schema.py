@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from quintrig.basis.registry import bases
 from quintrig.model.kinds.definition import Definition
 from quintrig.model.kinds.registry import kinds
 from quintrig.model.model import SCHEMA_VERSION, UNITS
@@ -19,7 +20,11 @@ def json_schema() -> dict[str, Any]:
     several = {
         "title": "Several patches",
         "type": "object",
-        "properties": header | {"patch": {"type": "array", "minItems": 1, "items": {"oneOf": forms}}},
+        "properties": header
+        | {
+            "bases": {"type": ["object", "string"], "description": "Bases of the patches' own, by name"},
+            "patch": {"type": "array", "minItems": 1, "items": {"oneOf": forms}},
+        },
         "required": ["patch"],
         "additionalProperties": False,
     }
@@ -39,4 +44,18 @@ def _form(definition: type[Definition]) -> dict[str, Any]:
         description = numbers.pop("description", "")
         file = {"type": "string", "pattern": r"\.[cC][sS][vV]$"}
         form["properties"][key] = {"description": description, "anyOf": [numbers, file]}
-    return form
+    return form | _of_basis(definition) if "basis" in form["properties"] else form
+
+
+def _of_basis(definition: type[Definition]) -> dict[str, Any]:
+    """Return what hangs on the basis: its name, and how many shape parameters the quintic one has."""
+    name = {"enum": list(bases())}
+    known = {"properties": {"basis": {"anyOf": [name, {"type": "array", "items": name, "minItems": 2, "maxItems": 2}]}}}
+    count = len(definition.shape_names)
+    shape = {"properties": {"shape": {"anyOf": [{"maxItems": 0}, {"minItems": count, "maxItems": count}]}}}
+    return {
+        "allOf": [
+            {"if": {"not": {"required": ["bases"]}}, "then": known},
+            {"if": {"not": {"required": ["basis"]}}, "then": shape},
+        ]
+    }

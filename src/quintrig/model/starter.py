@@ -38,7 +38,7 @@ def starter(kind: str, remark: str = "") -> str:
         if key in values or field.is_required():
             lines.append(f"{key} = {spell(values[key])}")
         elif key == "shape":
-            lines.append(f"{key} = {spell(field.default)}")
+            lines.append(f"{key} = {spell([0.0] * len(form.shape_names))}")
         else:  # an option at its default: there to be switched on
             lines.append(f"# {key} = {spell(field.default)}" if field.default is not None else f"# {key} = ...")
     return "\n".join(lines) + "\n"

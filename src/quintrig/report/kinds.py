@@ -1,11 +1,13 @@
 """What each kind of surface is: in words, as a formula, and by the parameters that its file gives."""
 
-from collections.abc import Iterator
+import re
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, cast
 
 from markupsafe import Markup
 
+from quintrig.basis.formulas import Basis
 from quintrig.model.model import Patch
 from quintrig.report.mathml import mathml
 from quintrig.report.wording import number
@@ -36,7 +38,7 @@ BASIS: tuple[str, ...] = (
 """The basis functions (Misro, Ramli and Ali 2017; thesis eq. 2.2)."""
 
 
-_OTHER = ("shape", "trim", "knots", "weights", "degrees")
+_OTHER = ("shape", "basis", "trim", "knots", "weights", "degrees")
 
 
 def formula(patch: Patch) -> Markup:
@@ -44,19 +46,26 @@ def formula(patch: Patch) -> Markup:
     latex = patch.definition.formula
     if not latex:
         return Markup("")
+    if not patch.definition.standard:
+        latex = re.sub(r";\\alpha(_\d)?,\\zeta(_\d)?", "", latex)
+        for letter, points in zip("ij", (*patch.definition.point_counts, 0), strict=False):
+            latex = latex.replace(rf"\sum_{{{letter}=0}}^{{5}}", rf"\sum_{{{letter}=0}}^{{{points - 1}}}")
     if patch.definition.classical:
-        for name in ("u", "v"):
-            number_ = "1" if name == "u" else "2"
-            latex = latex.replace(rf"({name};\alpha_{number_},\zeta_{number_})", f"({name})")
         latex = latex.replace("f_i(", "B_i(").replace("f_j(", "B_j(")
     return mathml(latex, block=True)
 
 
+def other_bases(patches: Sequence[Patch]) -> tuple[Basis, ...]:
+    """Return the bases of patches that are not the quintic one, each once."""
+    used = (basis for patch in patches if not patch.definition.standard for basis in patch.definition.bases_used)
+    return tuple(basis for basis in dict.fromkeys(used) if basis.name not in ("trigonometric", "quintic"))
+
+
 def shape_text(patch: Patch) -> Markup:
     """Return the shape parameters with their names; empty where none act."""
-    if not patch.definition.acting:
+    names = patch.definition.shape_symbols
+    if not names:
         return Markup("")
-    names = ("α", "ζ") if len(patch.shape) == 2 else ("α1", "ζ1", "α2", "ζ2")
     parts = [
         Markup("<i>{}</i>{} = {}").format(
             name[0], Markup("<sub>{}</sub>").format(name[1]) if name[1:] else "", number(x)
@@ -82,13 +91,16 @@ def parameters(patch: Patch) -> tuple[tuple[str, float, bool], ...]:
 def nets(patch: Patch) -> Iterator[Net]:
     """Return the control points and planes of a patch, at most ``MOST_POINTS`` of each."""
     for name, field in type(patch.definition).model_fields.items():
-        value: Any = getattr(patch.definition, name)
-        if name in _OTHER or not isinstance(value, list):
+        value: list[Any] = getattr(patch.definition, name)
+        if name in _OTHER or not isinstance(value, list):  # pyright: ignore[reportUnnecessaryIsInstance]
             continue
-        rows = list(_flat(cast(list[Any], value)))
+        rows = list(_flat(value))
         width = len(rows[0][1])
         letters = "abcd" if width == 4 else {"profile": "rz"}.get(name, "xyz"[:width])
         title = (field.description or name).split(";")[0]
+        if not patch.definition.standard and name != "bounds":
+            counts = [len(points) for points in (value, value[0]) if isinstance(points[0], list)]
+            title = re.sub(r"^\d+( x \d+)?", " x ".join(map(str, counts)), title)
         yield Net(title, tuple(letters), tuple(rows[:MOST_POINTS]), max(len(rows) - MOST_POINTS, 0))
 
 

@@ -67,7 +67,7 @@ def page(found: Sequence[Variant], table: Table, drawn: Sequence[Picture]) -> st
     environment = Environment(autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
     template = environment.from_string((files("quintrig.report.templates") / "shape_effect.html.j2").read_text("utf-8"))
     lines = [(one.symbol, one.unit, [shown(value) for value in one.rounded]) for one in table.columns[table.lead :]]
-    names = "(α1, ζ1, α2, ζ2)" if len(found[0].shape) == 4 else "(α, ζ)"
+    names = f"({', '.join(found[0].patch.definition.shape_symbols)})"
     return template.render(
         table=table,
         found=found,

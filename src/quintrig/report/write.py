@@ -119,6 +119,7 @@ def _page(
             signs=SIGN_TABLES,
             marks=MARKS,
             basis=[mathml(latex) for latex in kinds.BASIS],
+            other_bases=kinds.other_bases(model.patches),
             viewer=Markup(studio.viewer(model)) if live else "",
             code=Markup(studio.code()) if live else "",
             policy=studio.policy(),

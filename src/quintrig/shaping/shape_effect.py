@@ -9,6 +9,7 @@ from quintrig.analysis.integrate import INTEGRALS
 from quintrig.analysis.quadrature import Integral
 from quintrig.analysis.summary import Summary, summarise
 from quintrig.analysis.table import Column, Table
+from quintrig.basis.formulas import Parameter
 from quintrig.model.model import Patch
 from quintrig.quantities.table import BY_KEY
 from quintrig.support.errors import ModelError
@@ -50,7 +51,18 @@ class Variant:
 def standard_shapes(patch: Patch) -> tuple[tuple[float, ...], ...]:
     """Return the thesis's sets of shape parameters for this kind of surface; ModelError where it has none."""
     _check(patch)
-    return SHAPE_SETS[len(patch.shape)]
+    if patch.definition.standard:
+        return SHAPE_SETS[len(patch.shape)]
+    return _ends(list(patch.definition.ranges.values()))
+
+
+def _ends(ranges: Sequence[Parameter]) -> tuple[tuple[float, ...], ...]:
+    """Return all parameters at the high end, all at the low end, and both in turn; a tenth inside an end left out."""
+    low = [one.low + 0.1 * (one.high - one.low) * one.open[0] for one in ranges]
+    high = [one.high - 0.1 * (one.high - one.low) * one.open[1] for one in ranges]
+    turns = [[i % 2 == turn for i in range(len(ranges))] for turn in (0, 1)]
+    mixed = [[a if up else b for a, b, up in zip(high, low, turn, strict=True)] for turn in turns]
+    return tuple(dict.fromkeys(map(tuple, (high, low, *mixed))))
 
 
 def beside_own(patch: Patch, shapes: Sequence[Sequence[float]]) -> tuple[Patch, ...]:
@@ -128,7 +140,9 @@ def _check(patch: Patch) -> None:
     """Refuse a patch on which shape parameters do not act."""
     if patch.definition.classical:
         raise ModelError(
-            f'patch "{patch.name}": basis: expected "trigonometric", got "bernstein", which has no shape parameters'
+            f'patch "{patch.name}": basis: expected "trigonometric" or another, '
+            'got "bernstein", which has no shape parameters'
         )
     if not patch.shape:
-        raise ModelError(f'patch "{patch.name}": kind: a {patch.kind} has no shape parameters to vary')
+        where = f"in this basis, a {patch.kind}" if patch.definition.bases_used else f"kind: a {patch.kind}"
+        raise ModelError(f'patch "{patch.name}": {where} has no shape parameters to vary')

@@ -36,6 +36,9 @@ from quintrig.support.tolerance import NOISE, SAME_COLOUR, SINGULAR, VERTICAL
 WORDS: dict[str, SignTable] = {"point_type": POINTS, "hk_type": TYPES, "shape_class": CLASSES}
 """The tables of signs that say in words what the types of a classification look like."""
 
+DRAWN = ("trigonometric", "bernstein")
+"""The bases that the browser can draw."""
+
 EXAMPLES = Path(__file__).parents[3] / "examples"
 """The example models of the repository, which become the presets when the bundle is built."""
 

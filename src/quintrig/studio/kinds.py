@@ -53,19 +53,20 @@ def _field(form: type[Definition], key: str, schema: dict[str, Any]) -> dict[str
     field = form.model_fields[key]
     result: dict[str, Any] = {"description": field.description or "", "required": field.is_required()}
     if not field.is_required():
-        result["default"] = _ANY.dump_python(field.get_default(call_default_factory=True), mode="json")
+        own = _ANY.dump_python(field.get_default(call_default_factory=True), mode="json")
+        result["default"] = [0.0] * len(form.shape_names) if key == "shape" else own
+    return result | _type(form, key, schema)
+
+
+def _type(form: type[Definition], key: str, schema: dict[str, Any]) -> dict[str, Any]:
     if key in form.nets and key in form.counts:
-        return result | {"type": "points", "counts": list(form.counts[key]), "dimension": _dimension(schema)}
-    if schema.get("type") == "boolean":
-        return result | {"type": "boolean"}
-    if schema.get("type") == "number":
-        positive = any(isinstance(limit, annotated_types.Gt) and limit.gt == 0 for limit in field.metadata)
-        return result | {"type": "positive" if positive else "number"}
+        return {"type": "points", "counts": list(form.counts[key]), "dimension": _dimension(schema)}
     if "enum" in schema:
-        return result | {"type": "choice", "choices": schema["enum"]}
-    if key == "shape" and form.shape_names:
-        return result | {"type": "shape"}
-    return result | {"type": "plane" if key == "mirror" else "raw"}
+        return {"type": "choice", "choices": schema["enum"]}
+    positive = any(isinstance(limit, annotated_types.Gt) and limit.gt == 0 for limit in form.model_fields[key].metadata)
+    plain = {"boolean": "boolean", "number": "positive" if positive else "number"}
+    named = {"mirror": "plane", "basis": "basis"} | ({"shape": "shape"} if form.shape_names else {})
+    return {"type": plain.get(str(schema.get("type"))) or named.get(key, "raw")}
 
 
 def _dimension(schema: dict[str, Any]) -> int:

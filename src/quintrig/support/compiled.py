@@ -22,6 +22,7 @@ from quintrig.support.numba_inside import share_cache
 Function = TypeVar("Function", bound=Callable[..., Any])
 
 SOURCES = (
+    "basis/tape_jit",
     "basis/trigonometric_jit",
     "kernel/blocks",
     "quantities/classify",

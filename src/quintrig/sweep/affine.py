@@ -34,7 +34,7 @@ class Parts:
 def is_affine(patch: Patch, space: DesignSpace) -> bool:
     """Tell whether every varied parameter is a shape parameter of a surface built from control points."""
     definition = patch.definition
-    return definition.affine and set(space.names) <= set(definition.acting)
+    return definition.affine and definition.standard and set(space.names) <= set(definition.acting)
 
 
 def affine_rows(patch: Patch, u: FloatArray) -> FloatArray:

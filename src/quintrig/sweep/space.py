@@ -6,7 +6,6 @@ from typing import Any, Literal, cast
 
 import numpy as np
 
-from quintrig.basis.trigonometric import SHAPE_RANGE
 from quintrig.model.model import Patch
 from quintrig.support.arrays import FloatArray
 from quintrig.support.errors import ArgumentError, ModelError, nearest
@@ -163,7 +162,7 @@ def check(space: DesignSpace, patch: Patch) -> None:
     if not known:
         basis = " in the Bernstein basis" if patch.definition.classical else ""
         raise ValueError(f'patch "{patch.name}": a {patch.kind}{basis} has no parameters to vary')
-    low, high = SHAPE_RANGE
+    ranges = patch.definition.ranges
     unchecked = bool(getattr(patch.definition, "unchecked_shape", False))
     for axis in space.axes:
         if axis.name not in known:
@@ -173,8 +172,9 @@ def check(space: DesignSpace, patch: Patch) -> None:
                 axis.name,
             )
         span = f"{axis.name}={axis.low:g}:{axis.high:g}"
-        if axis.name in patch.definition.shape_names and not unchecked and not (low <= axis.low and axis.high <= high):
-            raise ArgumentError("the range leaves [-4, 1]; narrow it", "axis", span)
+        one = ranges.get(axis.name)
+        if one is not None and not unchecked and not (one.holds(axis.low) and one.holds(axis.high)):
+            raise ArgumentError(f"the range leaves {one.range}; narrow it", "axis", span)
         for value in (axis.low, axis.high):
             try:
                 patch.with_parameters({axis.name: value})

@@ -1,17 +1,20 @@
 """The kinds of the thesis: built from control points, or from planes."""
 
+from collections.abc import Sequence
 from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
 from quintrig.basis.bernstein import Bernstein
+from quintrig.basis.formulas import Basis
 from quintrig.basis.functions import Functions
 from quintrig.basis.joined import Joined
-from quintrig.basis.trigonometric import SHAPE_RANGE, Trigonometric
+from quintrig.basis.registry import DEFAULT, Choice, bases, entry
 from quintrig.geometry import constructions as construct
 from quintrig.geometry import envelope
 from quintrig.geometry.surface import Net, Surface
-from quintrig.model.kinds.definition import Bezier, Definition, Keys, Number, Outline, Plane, Polygon, Rows, Two
+from quintrig.model.kinds.definition import Based, Bezier, Keys, Number, Outline, Plane, Polygon, Rows
+from quintrig.model.own_bases import own_bases, table_of
 
 _HILL = (0, 14, 38, 42, 18, 4)
 _ARCH = (0, 10, 30, 30, 10, 0)
@@ -21,19 +24,20 @@ _U, _V = r"f_i(u;\alpha_1,\zeta_1)", r"f_j(v;\alpha_2,\zeta_2)"
 _TENSOR = rf"\mathbf{{S}}(u,v)=\sum_{{i=0}}^{{5}}\sum_{{j=0}}^{{5}}\mathbf{{P}}_{{ij}}\,{_U}\,{_V}"
 
 
-def shape_keys(families: tuple[Trigonometric, ...]) -> Keys:
-    """Return the keys that say the shape parameters of these families."""
-    shape = [x for one in families for x in (one.alpha, one.zeta)]
-    outside = any(not SHAPE_RANGE[0] <= x <= SHAPE_RANGE[1] for x in shape)
-    return {"shape": shape} | ({"unchecked_shape": True} if outside else {})
-
-
-def bezier_keys(families: tuple[Functions, ...]) -> Keys | None:
-    """Return the keys that say the basis and shape parameters of two families; None where no construction has both."""
-    if len(families) == 2 and all(isinstance(one, Bernstein) for one in families):
-        return {"basis": "bernstein"}
-    shaped = tuple(one for one in families if isinstance(one, Trigonometric))
-    return shape_keys(shaped) if len(shaped) == len(families) == 2 else None
+def basis_keys(families: Sequence[Functions]) -> Keys | None:
+    """Return the keys that say the bases and shape parameters of families; None where one is of no basis."""
+    if not families or not all(one.label for one in families):
+        return None
+    labels = list(dict.fromkeys(one.label for one in families))
+    shape = [value for one in families for value in one.parameters.values()]
+    keys: Keys = {"shape": shape} if shape else {}
+    if labels != [DEFAULT]:
+        keys["basis"] = labels[0] if len(labels) == 1 else [one.label for one in families]
+    entries = {one.label: getattr(one, "basis", None) for one in families}
+    own = {name: table_of(basis) for name, basis in entries.items() if isinstance(basis, Basis) and name not in bases()}
+    keys |= {"bases": own} if own else {}
+    keys |= {"unchecked_basis": True} if not all(one.partition for one in families) else {}
+    return keys | ({"unchecked_shape": True} if any(one.outside for one in families) else {})
 
 
 class Tensor(Bezier):
@@ -41,8 +45,9 @@ class Tensor(Bezier):
 
     title = "Tensor-product surface"
     words = (
-        "A net of 6 × 6 control points, blended by the quintic trigonometric functions in u and in v. It starts "
-        "and ends in the corner points of the net and stays inside the convex hull of all 36."
+        "A net of control points, 6 × 6 for the quintic trigonometric basis, blended by the functions of the basis in "
+        "u and in v. It starts and ends in the corner points of the net, and stays inside its convex hull where the "
+        "functions are not negative."
     )
     formula = _TENSOR
     starter: ClassVar[Keys] = {
@@ -63,7 +68,7 @@ class Tensor(Bezier):
         rows = surface.rows
         if not isinstance(rows, Net) or rows.dimension != 3:
             return None
-        keys = bezier_keys((rows.functions, surface.blend))
+        keys = basis_keys((rows.functions, surface.blend))
         return keys and {"points": (rows.points + surface.origin).tolist()} | keys
 
 
@@ -72,8 +77,8 @@ class Symmetric(Bezier):
 
     title = "Symmetric surface"
     words = (
-        "A tensor-product surface of which three rows of control points are given; the other three are their "
-        "images in a mirror plane."
+        "A tensor-product surface of which half of the rows of control points are given, three for the quintic "
+        "trigonometric basis; the others are their images in a mirror plane."
     )
     formula = _TENSOR + r",\quad\mathbf{P}_{5-i,j}=\text{the mirror image of }\mathbf{P}_{ij}"
     starter: ClassVar[Keys] = {
@@ -87,6 +92,15 @@ class Symmetric(Bezier):
     kind: Literal["symmetric"] = "symmetric"
     points: Rows = Field(description="3 x 6 control points, half of the net; the other three rows are mirrored")
     mirror: Plane = Field(description="Mirror plane [a, b, c, d]: a x + b y + c z + d = 0")
+
+    @property
+    def point_counts(self) -> tuple[int, ...]:
+        """Number of control points along u and v, mirrored ones included."""
+        return construct.mirrored(self._across, len(self.points)), len(self.points[0])
+
+    @property
+    def _across(self) -> Choice:
+        return entry(self.basis if isinstance(self.basis, str) else self.basis[0], own_bases(self.bases))
 
     def surface(self) -> Surface:
         """Build the surface."""
@@ -123,7 +137,8 @@ class Swung(Bezier):
     title = "Swung surface"
     words = (
         "A profile curve (r, z), swung about the z axis along a trajectory curve (x, y) and scaled by λ. With a "
-        "circle for the trajectory it would be a surface of revolution."
+        "quarter circle for the trajectory, which the cubic basis holds exactly and the quintic does not, it is a "
+        "surface of revolution."
     )
     formula = r"\mathbf{S}(u,v)=(\lambda\,r(u)\,x(v),\;\lambda\,r(u)\,y(v),\;z(u))"
     starter: ClassVar[Keys] = {
@@ -171,12 +186,12 @@ class Ruled(Bezier):
         if not isinstance(rows, Net) or not isinstance(rows.functions, Joined) or surface.blend != Bernstein(1):
             return None
         first = rows.functions.parts[0].size
-        keys = bezier_keys(rows.functions.parts)
+        keys = basis_keys(rows.functions.parts)
         ends = {"first": rows.points[:first, 0], "second": rows.points[first:, 1]}
         return keys and {name: (points + surface.origin).tolist() for name, points in ends.items()} | keys
 
 
-class Developable(Definition):
+class Developable(Based):
     """Strip enveloped by a family of planes."""
 
     title = "Enveloping developable surface"
@@ -200,21 +215,32 @@ class Developable(Definition):
     counts: ClassVar[dict[str, tuple[int, ...]]] = {"planes": (6,), "bounds": (2,)}
     shape_names: ClassVar[tuple[str, ...]] = ("alpha", "zeta")
     kind: Literal["developable"] = "developable"
-    shape: Two = [0.0, 0.0]  # noqa: RUF012 — pydantic copies it
-    planes: Annotated[list[Plane], Field(min_length=6, max_length=6)] = Field(
+    planes: Annotated[list[Plane], Field(min_length=2, max_length=64)] = Field(
         description="6 control planes [a, b, c, d]: a x + b y + c z + d = 0"
     )
     bounds: Annotated[list[Plane], Field(min_length=2, max_length=2)] = Field(
         description="2 planes [a, b, c, d] that cut the rulings at v = 0 and v = 1"
     )
-    unchecked_shape: Annotated[bool, Field(strict=True)] = Field(
-        default=False, description="Allow shape parameters outside [-4, 1]"
-    )
+
+    @property
+    def drawn(self) -> bool:
+        """Whether the browser knows the functions of the basis."""
+        return self.basis == "trigonometric"
+
+    @property
+    def point_counts(self) -> tuple[int, ...]:
+        """Number of control planes."""
+        return (len(self.planes),)
 
     def surface(self) -> Surface:
         """Build the surface."""
         return envelope.developable(
-            self.planes, self.bounds, self.shape, flip=self.flip, unchecked_shape=self.unchecked_shape
+            self.planes,
+            self.bounds,
+            self.shape,
+            basis=self.choices[0],
+            flip=self.flip,
+            unchecked_shape=self.unchecked_shape,
         )
 
     @classmethod
@@ -223,4 +249,5 @@ class Developable(Definition):
         rows = surface.rows
         if not isinstance(rows, envelope.Envelope):
             return None
-        return {"planes": rows.planes.tolist(), "bounds": rows.bounds.tolist()} | shape_keys((rows.functions,))
+        keys = basis_keys((rows.functions,))
+        return keys and {"planes": rows.planes.tolist(), "bounds": rows.bounds.tolist()} | keys

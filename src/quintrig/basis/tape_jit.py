@@ -1,0 +1,144 @@
+"""The compiled loop that works out a tape of formulas with its first two derivatives, and their increments."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quintrig.basis.trigonometric_jit import half_angle
+from quintrig.support.arrays import FloatArray
+from quintrig.support.compiled import BLOCK, loop, scalar
+
+
+@scalar
+def _rest(x: float, sign: float) -> float:
+    """Return x - sin(x) for ``sign`` -1, sinh(x) - x for +1, by its power series where x is small."""
+    square = sign * x * x
+    near = 0.0
+    for k in range(10, 1, -1):
+        near = (1.0 + near) * square / (2.0 * k * (2.0 * k + 1.0))
+    if abs(x) < 1.5:
+        return x * x * x * (1.0 + near) / 6.0
+    return x - np.sin(x) if sign < 0.0 else np.sinh(x) - x
+
+
+@loop
+def run(
+    t: FloatArray,
+    operations: NDArray[np.int64],
+    numbers: FloatArray,
+    roots: NDArray[np.int64],
+    partition: bool,
+    out: FloatArray,
+) -> None:
+    """Fill ``out`` (blocks, 3 terms BLOCK) with increments, ordered (derivative, term, point), at t (blocks, BLOCK).
+
+    For a partition of unity derivatives are summed over the functions that vanish at the nearer end.
+    """
+    count, size = operations.shape[0], roots.shape[0]
+    # Values and first two derivatives of every operation; those of the angle's functions once a block.
+    f = np.empty((count, 3, BLOCK))
+    rate = 0.5 * np.pi
+    terms = size - 1 if partition else size
+    for block in range(t.shape[0]):
+        x = t[block]
+        for n in range(count):
+            code, i, j, c = operations[n, 0], operations[n, 1], operations[n, 2], numbers[n]
+            y, p, q = f[n], f[i], f[j]
+            if code == 0:
+                for k in range(BLOCK):
+                    y[0, k], y[1, k], y[2, k] = c, 0.0, 0.0
+            elif code <= 2:
+                for k in range(BLOCK):
+                    y[0, k] = x[k] if code == 1 else 1.0 - x[k]
+                    y[1, k] = 1.0 if code == 1 else -1.0
+                    y[2, k] = 0.0
+            elif code <= 6:
+                for k in range(BLOCK):
+                    h, g = half_angle(x[k])
+                    w, z = half_angle(1.0 - x[k])
+                    near = x[k] < 0.5
+                    sine, cosine = 2.0 * h * g, 2.0 * w * z
+                    less = 1.0 - sine if near else 2.0 * w * w
+                    rest = 2.0 * h * h if near else 1.0 - cosine
+                    value = sine if code == 3 else cosine if code == 4 else less if code == 5 else rest
+                    turn = 1.0 if code <= 4 else -1.0
+                    odd = code in (3, 5)
+                    y[0, k] = value
+                    y[1, k] = turn * rate * (cosine if odd else -sine)
+                    y[2, k] = -turn * rate * rate * (sine if odd else cosine)
+            elif code <= 8:
+                sign = 1.0 if code == 7 else -1.0
+                for d in range(3):
+                    for k in range(BLOCK):
+                        y[d, k] = p[d, k] + sign * q[d, k]
+            elif code == 9:
+                for k in range(BLOCK):
+                    y[2, k] = p[0, k] * q[2, k] + 2.0 * p[1, k] * q[1, k] + p[2, k] * q[0, k]
+                    y[1, k] = p[0, k] * q[1, k] + p[1, k] * q[0, k]
+                    y[0, k] = p[0, k] * q[0, k]
+            elif code == 10:
+                for k in range(BLOCK):
+                    y[0, k] = p[0, k] / q[0, k]
+                    y[1, k] = (p[1, k] - y[0, k] * q[1, k]) / q[0, k]
+                    y[2, k] = (p[2, k] - 2.0 * y[1, k] * q[1, k] - y[0, k] * q[2, k]) / q[0, k]
+            elif code == 11:
+                for d in range(3):
+                    for k in range(BLOCK):
+                        y[d, k] = c * p[d, k]
+            elif code == 12:
+                for k in range(BLOCK):
+                    y[0, k], y[1, k], y[2, k] = p[0, k] + c, p[1, k], p[2, k]
+            elif code == 13:
+                for k in range(BLOCK):
+                    y[0, k] = c / p[0, k]
+                    y[1, k] = -y[0, k] * p[1, k] / p[0, k]
+                    y[2, k] = -(2.0 * y[1, k] * p[1, k] + y[0, k] * p[2, k]) / p[0, k]
+            else:
+                for k in range(BLOCK):
+                    v, a, b = p[0, k], p[1, k], p[2, k]
+                    # Value, and first and second derivative by the argument.
+                    if code <= 17:
+                        sine, half = np.sin(v), np.sin(0.5 * v)
+                        cosine, less = np.cos(v), 2.0 * half * half
+                        if code == 14:
+                            g0, g1, g2 = sine, cosine, -sine
+                        elif code == 15:
+                            g0, g1, g2 = cosine, -sine, -cosine
+                        elif code == 16:
+                            g0, g1, g2 = less, sine, cosine
+                        else:
+                            g0, g1, g2 = _rest(v, -1.0), less, sine
+                    elif code <= 21:
+                        sine, half = np.sinh(v), np.sinh(0.5 * v)
+                        cosine, less = np.cosh(v), 2.0 * half * half
+                        if code == 18:
+                            g0, g1, g2 = sine, cosine, sine
+                        elif code == 19:
+                            g0, g1, g2 = cosine, sine, cosine
+                        elif code == 20:
+                            g0, g1, g2 = less, sine, cosine
+                        else:
+                            g0, g1, g2 = _rest(v, 1.0), less, sine
+                    elif code == 22:
+                        g0 = np.sqrt(v)
+                        g1 = 0.5 / g0
+                        g2 = -0.5 * g1 / v
+                    else:
+                        g0 = np.exp(v)
+                        g1, g2 = g0, g0
+                    y[0, k], y[1, k], y[2, k] = g0, g1 * a, g1 * b + g2 * a * a
+        o = out[block]
+        for d in range(3):
+            for k in range(BLOCK):
+                if not partition:
+                    for i in range(terms):
+                        o[(d * terms + i) * BLOCK + k] = f[roots[i], d, k]
+                elif d == 0 or x[k] < 0.5:
+                    total = 0.0
+                    for i in range(terms - 1, -1, -1):
+                        total += f[roots[i + 1], d, k]
+                        o[(d * terms + i) * BLOCK + k] = total
+                else:
+                    total = 0.0
+                    for i in range(terms):
+                        total -= f[roots[i], d, k]
+                        o[(d * terms + i) * BLOCK + k] = total
