@@ -1,9 +1,8 @@
 /** How the page builds each kind that it knows: one entry a kind. Every other is built by Python (built.ts). */
 
-import { BASES } from "./basis";
 import { ruled, swept, swung, symmetric, tensor, type Options, type Vector } from "./construct";
 import { developable } from "./envelope";
-import { valueOf, type Patch } from "./kinds";
+import { knownBasis, valueOf, type Patch } from "./kinds";
 import { nurbs } from "./nurbs";
 import * as reference from "./reference";
 import type { Surface } from "./surface";
@@ -58,8 +57,7 @@ export const BUILDERS: Readonly<Record<string, (its: Values) => Surface>> = {
 
 /** Whether the page builds a patch by itself: its kind, and its basis where it has one. */
 export function drawnHere(patch: Patch): boolean {
-  const basis = valueOf(patch, "basis");
-  return Object.hasOwn(BUILDERS, patch.kind) && (typeof basis !== "string" || Object.hasOwn(BASES, basis));
+  return Object.hasOwn(BUILDERS, patch.kind) && knownBasis(valueOf(patch, "basis"));
 }
 
 /** Build the surface of a patch that is drawn here. */

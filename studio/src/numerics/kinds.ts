@@ -1,9 +1,10 @@
 /** Tables of kinds: those of quintrig from its bundle, and those of installed packages that a page is told of. */
 
 import data from "../data.json";
+import { BASES } from "./basis";
 
 export interface Field {
-  readonly type: "points" | "shape" | "plane" | "number" | "positive" | "boolean" | "choice" | "raw";
+  readonly type: "points" | "shape" | "plane" | "number" | "positive" | "boolean" | "choice" | "basis" | "raw";
   readonly description: string;
   readonly required: boolean;
   readonly default?: unknown;
@@ -46,9 +47,12 @@ export function install(brought: Installed): void {
   for (const [name, starter] of Object.entries(brought.starters ?? {})) starters[name] ??= starter;
 }
 
-/** Shape parameters of a patch, empty for kinds that have none. */
+/** Whether the page knows a basis, of which it is told the name, two names, or nothing for a kind that has none. */
+export const knownBasis = (basis: unknown): boolean => basis === undefined || (typeof basis === "string" && Object.hasOwn(BASES, basis));
+
+/** Shape parameters of a patch; empty for kinds that have none, and for bases that only Python knows. */
 export function shapeOf(patch: Patch): readonly number[] {
-  return (valueOf(patch, "shape") ?? []) as number[];
+  return !knownBasis(valueOf(patch, "basis")) ? [] : ((valueOf(patch, "shape") ?? []) as number[]);
 }
 
 /** The value of a key, or its default. */

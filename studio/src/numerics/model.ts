@@ -3,10 +3,10 @@
 import data from "../data.json";
 import { buildHere, drawnHere } from "./builders";
 import { learn, Pending, surfaceOf, type Built } from "./built";
-import { KINDS, ModelError, type Patch } from "./kinds";
+import { KINDS, knownBasis, ModelError, type Patch } from "./kinds";
 import type { Surface } from "./surface";
 
-export { install, KINDS, ModelError, shapeOf, STARTERS, valueOf, type Field, type Kind, type Patch } from "./kinds";
+export { install, KINDS, knownBasis, ModelError, shapeOf, STARTERS, valueOf, type Field, type Kind, type Patch } from "./kinds";
 
 export const UNITS: readonly string[] = data.units;
 export const SHAPE_RANGE = data.shapeRange as [number, number];
@@ -72,7 +72,8 @@ function checked(keys: Record<string, unknown>): Patch {
     throw new ModelError(`${place}: ${message}`);
   };
   for (const key of Object.keys(keys)) if (key !== "kind" && key !== "name" && !Object.hasOwn(kind.fields, key)) fail(`unknown key '${key}'`);
-  const bernstein = keys["basis"] === "bernstein";
+  // With a basis that only Python knows, counts and shape parameters are its own: Python checks them.
+  const here = knownBasis(keys["basis"]), anyCount = keys["basis"] === "bernstein" || !here;
   for (const [key, field] of Object.entries(kind.fields)) {
     const value = keys[key];
     if (value === undefined) {
@@ -83,8 +84,9 @@ function checked(keys: Record<string, unknown>): Patch {
     else if (field.type === "boolean" && typeof value !== "boolean") fail(`${key}: expected true or false, got ${spell(value)}`);
     else if (field.type === "choice" && !field.choices!.includes(value as string)) fail(`${key}: expected one of ${field.choices!.join(", ")}, got ${spell(value)}`);
     else if (field.type === "plane") numbers(value, key, 4, fail);
-    else if (field.type === "shape") shape(value, key, kind.shapeNames, keys["unchecked_shape"] === true, fail);
-    else if (field.type === "points") points(value, key, bernstein ? field.counts!.map(() => 0) : field.counts!, field.dimension!, fail);
+    else if (field.type === "basis" && !isBasis(value)) fail(`${key}: expected the name of a basis, or two, got ${spell(value)}`);
+    else if (field.type === "shape" && here) shape(value, key, kind.shapeNames, keys["unchecked_shape"] === true, fail);
+    else if (field.type === "points") points(value, key, anyCount ? field.counts!.map(() => 0) : field.counts!, field.dimension!, fail);
   }
   const patch = keys as unknown as Patch;
   try {
@@ -96,6 +98,8 @@ function checked(keys: Record<string, unknown>): Patch {
 }
 
 type Fail = (message: string) => never;
+
+const isBasis = (value: unknown): boolean => [value].flat().every((name) => typeof name === "string" && name !== "");
 
 function shape(value: unknown, key: string, names: readonly string[], unchecked: boolean, fail: Fail): void {
   numbers(value, key, names.length, fail).forEach((x, i) => {

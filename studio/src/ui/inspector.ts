@@ -3,7 +3,7 @@
 import type { Box } from "../app/cells";
 import type { Settings } from "../app/settings";
 import { activePatch, shapeSets, type State, type Store } from "../app/state";
-import { KINDS, SHAPE_RANGE, shapeOf, valueOf, type Patch } from "../numerics/model";
+import { KINDS, knownBasis, SHAPE_RANGE, shapeOf, valueOf, type Patch } from "../numerics/model";
 import { QUANTITIES, type Quantity } from "../numerics/quantity";
 import { lineColour } from "../view/overlays";
 import { ALONG, sectionNormal } from "../view/section";
@@ -103,7 +103,7 @@ export class Inspector {
         return chip;
       })));
     }
-    if (!rows.length) rows.push(h("p", { class: "hint" }, "This surface has no shape parameters: drag its control points."));
+    if (!rows.length) rows.push(h("p", { class: "hint" }, knownBasis(valueOf(patch, "basis")) ? "This surface has no shape parameters: drag its control points." : "The shape parameters of this basis are changed in the model file."));
     this.shape.replaceChildren(this.fixed, ...rows);
   }
 

@@ -3,7 +3,7 @@
 import { activePatch, starterOf, type State, type Store } from "../app/state";
 import { converted } from "../edit/convert";
 import { handles, moved, replaced, type Handle } from "../edit/handles";
-import { build, KINDS, UNITS, valueOf, type Kind, type Patch } from "../numerics/model";
+import { build, KINDS, knownBasis, UNITS, valueOf, type Kind, type Patch } from "../numerics/model";
 import { choice, numberField, section, segmented, toggle, type Control } from "./controls";
 import { ask } from "./dialogs";
 import { h } from "./dom";
@@ -72,7 +72,7 @@ export class ModelPanel {
     this.unit.update(state.model.unit);
     this.flip.update(valueOf(patch, "flip") === true);
     this.basis.update(String(valueOf(patch, "basis") ?? ""));
-    this.basis.element.parentElement!.hidden = !kind.fields["basis"];
+    this.basis.element.parentElement!.hidden = !kind.fields["basis"] || !knownBasis(valueOf(patch, "basis"));
     this.about.textContent = capital(kind.title);
     state.settings.locks.forEach((on, i) => this.locks[i]!.update(on));
     this.snap.update(state.settings.snap);
