@@ -120,7 +120,7 @@ def test_a_condition_that_cannot_be_read_is_refused_in_one_line(vases, where):
     [
         (Question(best="bending_enrgy"), "did you mean 'bending_energy'"),
         (Question(best=""), None),
-        (Question(descending=True), "--greatest"),
+        (Question(descending=True), "descending: says the order"),
     ],
 )
 def test_an_order_needs_a_known_column(vases, question, said):

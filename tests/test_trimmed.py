@@ -348,7 +348,7 @@ def test_a_trimmed_face_that_fits_no_sheet_is_refused(tmp_path):
 
 
 def model_file(folder, name="face.toml"):
-    from quintrig.exchange.toml import to_toml
+    from quintrig.model.toml import to_toml
 
     points = [[[0, 0, 0], [0, 10, 0]], [[10, 0, 0], [10, 10, 0]]]
     knots = [[0, 0, 1, 1], [0, 0, 1, 1]]

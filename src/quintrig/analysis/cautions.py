@@ -121,7 +121,7 @@ def find_notes(sample: Sample) -> tuple[str, ...]:
         share = 100.0 * region_share(surface)
         told.append(
             f"The face is trimmed: its loops hold {share:.4g} % of the domain of its surface. Integrals, means, shares "
-            "and extremes are those of the face; the option --whole takes all of the surface."
+            "and extremes are those of the face; the whole surface, its carrier, has others."
         )
     count = int(((np.abs(sample.normal[..., 2]) <= VERTICAL) & inside).sum())
     if count:

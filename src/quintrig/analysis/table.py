@@ -167,7 +167,7 @@ def _notes(sample: Sample, keys: Sequence[str], unit: str, whole: bool) -> tuple
         notes.append(f"Types: {sample.thresholds.describe(sample.size, unit)}.")
     if sample.surface.trim:
         outside = (
-            "belong to its whole surface alone" if whole else "have no values (--whole gives those of its surface)"
+            "belong to its whole surface alone" if whole else "have no values (its carrier, the whole surface, has)"
         )
         notes.append(f"The face is trimmed: points outside its loops {outside}.")
     inside = sample.surface.inside(sample.u, sample.v) | whole

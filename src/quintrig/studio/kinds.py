@@ -1,6 +1,5 @@
 """What the browser needs to know of a kind: its keys, their types and defaults, and a starter."""
 
-import tomllib
 from collections.abc import Iterable
 from typing import Any, cast
 
@@ -13,6 +12,7 @@ from quintrig.model.model import Model
 from quintrig.model.starter import starter
 from quintrig.studio.built import for_page
 from quintrig.support.errors import QuintrigError
+from quintrig.support.parsing import parse
 
 _ANY = TypeAdapter[Any](Any)
 
@@ -40,7 +40,7 @@ def installed(names: Iterable[str] | None = None) -> dict[str, Any]:
     starters: dict[str, Any] = {}
     for name in forms:
         try:
-            starters[name] = for_page(Model.from_dict(tomllib.loads(starter(name))))
+            starters[name] = for_page(Model.from_dict(parse(starter(name), ".toml")))
         except QuintrigError:  # a starter that is not valid is none; its package's own tests say so
             continue
     tables = {name: kind(form) for name, form in forms.items()}
