@@ -6,7 +6,7 @@ Names are loaded on first use, so that ``import quintrig`` costs next to nothing
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from quintrig.support import display
+from quintrig.support import display, late
 
 if TYPE_CHECKING:
     from quintrig.analysis.agreement import compare_methods as compare_methods
@@ -40,6 +40,8 @@ if TYPE_CHECKING:
     from quintrig.geometry.surface import Surface as Surface
     from quintrig.model.model import Model as Model
     from quintrig.model.model import load as load
+    from quintrig.multipatch.find import find_joins as find_joins
+    from quintrig.multipatch.joins import Joins as Joins
     from quintrig.quantities.classify import Thresholds as Thresholds
     from quintrig.support.errors import ModelError as ModelError
 
@@ -58,6 +60,8 @@ _HOME = {
     "geometry.envelope": ("developable", "regression"),
     "support.errors": ("ModelError",),
     "model.model": ("Model", "load"),
+    "multipatch.find": ("find_joins",),
+    "multipatch.joins": ("Joins",),
     "geometry.closed_forms": (
         "catenoid",
         "cone",
@@ -74,6 +78,7 @@ _HOME = {
     "geometry.domain": ("grid",),
     "geometry.surface": ("Surface",),
 }
+late.register("joins", lambda *args, **words: import_module("quintrig.multipatch.find").joins_of(*args, **words))
 display.register(lambda value: import_module("quintrig.studio.notebook").bundle(value))
 _WHERE = {name: module for module, names in _HOME.items() for name in names}
 

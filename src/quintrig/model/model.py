@@ -15,6 +15,7 @@ from quintrig.support.csv_rows import rows_of
 from quintrig.support.display import mime_bundle
 from quintrig.support.errors import ModelError, nearest
 from quintrig.support.files import open_regular
+from quintrig.support.late import call
 from quintrig.support.parsing import LARGEST_FILE, parse
 
 SCHEMA_VERSION = 1
@@ -115,6 +116,15 @@ class Model:
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> Any:
         """Return the interactive view that a notebook shows; only the text where the extra ``jupyter`` is missing."""
         return mime_bundle(self)
+
+    def joins(self, **limits: Any) -> Any:
+        """Return which edges of the patches meet, how smoothly, and which are free.
+
+        The result is a ``Joins``. Takes ``preset`` ("engineering" or "class-a"), ``tolerance`` (length¹), ``angle``
+        (degrees), ``curvature`` (relative jump) and ``near`` (part of an edge's length up to which near misses are
+        told). Raises ValueError for limits not above 0.
+        """
+        return call("joins", self, **limits)
 
     def with_shape(self, shape: Sequence[float]) -> "Model":
         """Return the model with every patch's shape parameters replaced."""
