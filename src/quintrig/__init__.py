@@ -40,6 +40,7 @@ if TYPE_CHECKING:
     from quintrig.geometry.surface import Surface as Surface
     from quintrig.model.model import Model as Model
     from quintrig.model.model import load as load
+    from quintrig.multipatch.attach import join as join
     from quintrig.multipatch.find import find_joins as find_joins
     from quintrig.multipatch.joins import Joins as Joins
     from quintrig.quantities.classify import Thresholds as Thresholds
@@ -60,6 +61,7 @@ _HOME = {
     "geometry.envelope": ("developable", "regression"),
     "support.errors": ("ModelError",),
     "model.model": ("Model", "load"),
+    "multipatch.attach": ("join",),
     "multipatch.find": ("find_joins",),
     "multipatch.joins": ("Joins",),
     "geometry.closed_forms": (

@@ -74,6 +74,10 @@ class Patch:
         sizes = {name: value for name, value in values.items() if name not in names}
         return self._with(**sizes, **({"shape": shape} if set(values) & set(names) else {}))
 
+    def rebuilt(self, **keys: Any) -> "Patch":
+        """Return a patch of this name built from the keys of a model file; ModelError where they do not fit."""
+        return _patch(keys, self.name, None)
+
     def _with(self, **changed: Any) -> "Patch":
         return _patch({**self.definition.model_dump(), **changed}, self.name, None)
 

@@ -44,7 +44,8 @@ def _sagitta(edge: Edge, polygon: FloatArray) -> float:
 
 def _boxes(polygons: FloatArray, reach: FloatArray) -> Iterator[NDArray[np.intp]]:
     """Yield pairs whose boxes, grown by their reach, meet: sorted along the axis in which they spread most."""
-    low, high = polygons.min(axis=1) - reach[:, None], polygons.max(axis=1) + reach[:, None]
+    low: FloatArray = polygons.min(axis=1) - reach[:, None]
+    high: FloatArray = polygons.max(axis=1) + reach[:, None]
     spread: FloatArray = np.ptp(low, axis=0) / np.maximum((high - low).mean(axis=0), 1e-300)
     axis = int(spread.argmax())
     order = np.argsort(low[:, axis], kind="stable")
