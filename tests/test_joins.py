@@ -254,3 +254,56 @@ def test_presets_follow_the_unit():
     assert limits("m").tolerance == pytest.approx(1e-5)
     assert limits("in", preset="class-a").tolerance == pytest.approx(0.001 / 25.4)
     assert limits("", 1000.0).tolerance == pytest.approx(0.01)
+
+
+def torn(tmp_path, amount=0.3):
+    left, right = casteljau(wavy(6), 0.5)
+    right[0, -1, 2] += amount
+    path = tmp_path / "torn.json"
+    patches = [
+        {"name": name, "kind": "tensor", "basis": "bernstein", "points": net.tolist()}
+        for name, net in (("left", left), ("[b]right", right))
+    ]
+    path.write_text(json.dumps({"unit": "mm", "patch": patches}))
+    return path
+
+
+def test_check_and_export_warn_of_a_seam_that_is_nearly_closed(tmp_path):
+    path, told = torn(tmp_path), "left:u1 and [b]right:u0 are open by 0.3 mm"
+    done = run("check", path, "--strict")
+    assert done.code == 1
+    assert told in done.out
+    assert told in run("export", path, tmp_path / "torn.stl").err
+    assert run("joins", path, "--strict").code == 1
+    assert told in run("joins", path).out
+    closed = torn(tmp_path, 0.0)
+    assert "open by" not in run("check", closed).out
+    assert "1 G3" in run("check", closed).out
+
+
+def test_every_order_has_a_colour_and_a_seam_lies_where_the_edges_do():
+    from quintrig.figure.seams import SEAM_COLOURS, seam_traces
+    from quintrig.multipatch.joins import ORDERS
+
+    assert len(set(SEAM_COLOURS.values())) == len(SEAM_COLOURS) == len(ORDERS)
+    left, right = (bezier(half) for half in casteljau(wavy(), 0.4))
+    (trace,) = seam_traces(find_joins([left, right], LIMITS))
+    assert (trace.label, trace.colour) == ("G3 (1 seam)", SEAM_COLOURS["G3"])
+    np.testing.assert_allclose(trace.points, left(1.0, np.linspace(0.0, 1.0, 65)), atol=1e-12)
+
+
+def test_the_picture_of_the_seams_is_written(tmp_path):
+    path = tmp_path / "seams.png"
+    assert run("joins", torn(tmp_path), "-o", path).code == 0
+    assert path.read_bytes().startswith(b"\x89PNG")
+
+
+def test_a_seam_table_leaves_out_nothing_but_the_smoothest(monkeypatch):
+    from quintrig.report import tables
+
+    joins = find_joins([bezier(strip([k, k + 1.0], [0.0, 0.1 * k])) for k in range(6)], LIMITS)
+    assert len(tables.seams_table(joins).rows) == len(joins) > 2
+    monkeypatch.setattr(tables, "_MOST_SEAMS", 2)
+    cut = tables.seams_table(joins)
+    assert len(cut.rows) == 2
+    assert f"of {len(joins)} seams" in cut.notes[-1]

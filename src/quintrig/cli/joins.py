@@ -12,13 +12,16 @@ from quintrig.cli.show import print_table
 from quintrig.support.errors import printable
 
 if TYPE_CHECKING:
+    from quintrig.model.model import Model
     from quintrig.multipatch.joins import Joins
 
+_PICTURES = (".png", ".svg", ".pdf")
 _EPILOG = session.examples(
     ("quintrig joins body.toml", "every seam: gap, angle, jump of curvature, order reached; free edges; near misses"),
     ("quintrig joins body.step --preset class-a", "faces of a CAD file, under the limits of visible surfaces"),
     ("quintrig joins body.toml --json", "the same for programs"),
     ("quintrig joins body.toml --tolerance 0.05 -o seams.csv", "a table; .tex for a paper"),
+    ("quintrig joins body.toml -o seams.png", "a picture with each seam in the colour of its order"),
 )
 
 
@@ -43,7 +46,7 @@ def joins(
     ] = 0.2,
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON: joins, free edges, poles, limits.")] = False,
     output: Annotated[
-        Path | None, typer.Option("-o", "--output", metavar="FILE", help="Write .csv, .json, .md or .tex instead.")
+        Path | None, typer.Option("-o", "--output", metavar="FILE", help="Write .csv, .json, .md, .tex, or a picture.")
     ] = None,
     strict: Annotated[bool, typer.Option("--strict", help="Exit with 1 where a seam is nearly closed.")] = False,
 ) -> None:
@@ -52,12 +55,24 @@ def joins(
     For every pair of neighbouring edges: the largest gap, the largest angle between the normals, and the largest
     jump of the normal curvature across the edge, relative to |κ1| + |κ2|. Edges that nearly meet are told as open.
     """
-    result = session.load(model).joins(preset=preset, tolerance=tolerance, angle=angle, curvature=curvature, near=near)
-    _tell(result, model, as_json, output)
+    loaded = session.load(model)
+    result = loaded.joins(preset=preset, tolerance=tolerance, angle=angle, curvature=curvature, near=near)
+    if output and output.suffix.lower() in _PICTURES:
+        _draw(loaded, result, output)
+    else:
+        _tell(result, model, as_json, output)
     if strict and result.warnings:
         from quintrig.cli.ending import FOUND
 
         raise typer.Exit(FOUND)
+
+
+def _draw(model: "Model", result: "Joins", output: Path) -> None:
+    from quintrig.figure import save, seam_picture
+
+    replaced = output.is_file()
+    figure = seam_picture([patch.surface for patch in model.patches], result, title=model.name)
+    session.wrote(save(figure, output), replaced)
 
 
 def _tell(result: "Joins", model: Path, as_json: bool, output: Path | None) -> None:
@@ -65,7 +80,7 @@ def _tell(result: "Joins", model: Path, as_json: bool, output: Path | None) -> N
 
     chosen = SUFFIXES.get(output.suffix.lower()) if output and str(output) != "-" else None
     if output and not chosen and not as_json:
-        raise ValueError(f"{output}: expected a name ending in {', '.join(SUFFIXES)}")
+        raise ValueError(f"{output}: expected a name ending in {', '.join((*SUFFIXES, *_PICTURES))}")
     if as_json or chosen == "json":
         session.deliver(json.dumps(result.to_dict(), ensure_ascii=False, indent=1) + "\n", output, model)
     elif chosen:

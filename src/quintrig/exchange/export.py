@@ -15,6 +15,8 @@ from quintrig.support.errors import QuintrigError, nearest
 SUFFIXES = (*cad.SUFFIXES, *meshes.SUFFIXES, *nets.SUFFIXES)
 """Every ending that ``export`` knows."""
 
+_MOST_SEAMS = 8  # that are told one by one
+
 
 @dataclass(frozen=True)
 class ExportOptions:
@@ -51,9 +53,9 @@ def export(model: Model, path: str | Path, options: ExportOptions | None = None)
     suffix = path.suffix.lower()
     replaced = tuple(one for one in targets(model, path) if one.is_file())
     if suffix in cad.SUFFIXES:
-        return Written((path,), export_cad(model, path, options.cad), replaced)
+        return Written((path,), (*export_cad(model, path, options.cad), *_open_seams(model)), replaced)
     if suffix in meshes.SUFFIXES:
-        return Written((path,), export_mesh(model, path, options.mesh), replaced)
+        return Written((path,), (*export_mesh(model, path, options.mesh), *_open_seams(model)), replaced)
     if suffix in nets.SUFFIXES:
         paths = export_net(model, path)
         several = (f"{len(paths)} nets of points, a file for each",) if len(paths) > 1 else ()
@@ -62,3 +64,12 @@ def export(model: Model, path: str | Path, options: ExportOptions | None = None)
         "; quintrig flatten writes flat patterns" if suffix in (".dxf", ".svg", ".pdf") else nearest(suffix, SUFFIXES)
     )
     raise QuintrigError(f"{path}: expected a file ending in {', '.join(SUFFIXES)}{hint}")
+
+
+def _open_seams(model: Model) -> tuple[str, ...]:
+    """Return a line on each seam between patches that is nearly closed: CAD and printers take it for a hole."""
+    if len(model.patches) < 2:
+        return ()
+    found: tuple[str, ...] = model.joins().warnings
+    more = (f"and {len(found) - _MOST_SEAMS} more seams are open; quintrig joins lists them",)
+    return (*found[:_MOST_SEAMS], *(more if len(found) > _MOST_SEAMS else ()))

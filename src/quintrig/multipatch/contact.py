@@ -11,6 +11,7 @@ from quintrig.support.arrays import BoolArray, FloatArray
 _STEPS = 10
 _SIDEWAYS = 0.7  # part of the distance from an end of an edge that may point along it: more is past the end
 _CORNERS = 0.95  # the same between ends of both edges
+_BESIDE = 0.1  # of an edge: a foot this near to its end is beside the corner
 _CONVERGED = 1e-14
 _PARALLEL = 0.8
 _SAME = 1e-10  # distance, in sizes, of samples that are one point: no foot need be sought
@@ -45,11 +46,12 @@ def contact(first: Edge, second: Edge, reach: float, tolerance: float) -> Contac
     tolerance, reach = tolerance + first.slack + second.slack, max(reach, tolerance)
     feet, distance, valid = _feet(first, second, t, reach, tolerance)
     ends = np.array([0.0, 1.0])
-    back, apart, met = _feet(second, first, ends, reach, tolerance)
-    for k in np.flatnonzero(met & ((back == 0.0) | (back == 1.0))):  # corner to corner
-        corner = -1 if back[k] else 0
-        if valid[corner]:
-            feet[corner], distance[corner] = ends[k], apart[k]
+    back, _, met = _feet(second, first, ends, reach, tolerance)
+    for corner in (0, -1):  # where the edges are apart there, the gap is that of the corners
+        end = round(float(feet[corner]))
+        between = float(np.linalg.norm(first.points[corner] - second.points[-end]))
+        if valid[corner] and distance[corner] > tolerance and abs(feet[corner] - end) < _BESIDE and between <= reach:
+            feet[corner], distance[corner] = float(end), between
     low, high, clean = _stretch(t, valid, back[met])
     if not clean:
         low, high, clean = _stretch(t, valid & (distance <= tolerance), back[met])

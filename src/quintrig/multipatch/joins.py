@@ -1,5 +1,6 @@
 """The joins of a model: which edges meet, how smoothly, where not, and which are free."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
@@ -10,6 +11,8 @@ from quintrig.analysis.table import Column, Table
 from quintrig.multipatch.limits import Limits
 from quintrig.support.arrays import FloatArray
 
+_ALL = 5e-3  # of an edge at its ends: less than that missing is not told
+_ROUNDING = 1e-6  # share of a limit up to which a value is shown as 0
 ORDERS = ("open", "G0", "G1", "G2", "G3")
 
 
@@ -24,7 +27,7 @@ class End:
 
     def __str__(self) -> str:
         """Return ``patch:side``, and the stretch if it is not all of it."""
-        whole = self.start <= 1e-6 and self.stop >= 1.0 - 1e-6
+        whole = self.start <= _ALL and self.stop >= 1.0 - _ALL
         return f"{self.patch}:{self.side}" + ("" if whole else f" [{self.start:.3g}, {self.stop:.3g}]")
 
     def to_dict(self) -> dict[str, Any]:
@@ -164,6 +167,7 @@ class Joins:
             ("reversed", "reversed", ["yes" if join.reversed else "no" for join in self.joins]),
             ("sign_change", "inflection", ["yes" if join.sign_change else "no" for join in self.joins]),
         ]
+        small = (self.limits.tolerance, self.limits.angle, self.limits.curvature, self.floors[0])
         numbers = [
             ("gap", "gap", r"d", "largest gap", self.unit, [join.gap.most for join in self.joins]),
             ("angle", "angle", r"\vartheta", "largest angle of the normals", "°", [j.angle.most for j in self.joins]),
@@ -174,8 +178,8 @@ class Joins:
             Column(key, name, rf"\mathrm{{{name}}}", name, "", *(tuple(values),) * 2) for key, name, values in words
         ]
         floats = [
-            Column(key, symbol, latex, name, unit, tuple(values), tuple(float(f"{x:.3g}") for x in values))
-            for key, symbol, latex, name, unit, values in numbers
+            Column(key, symbol, latex, name, unit, tuple(values), _read(values, limit))
+            for (key, symbol, latex, name, unit, values), limit in zip(numbers, small, strict=True)
         ]
         free = ", ".join(map(str, self.free)) or "none"
         notes = [
@@ -186,6 +190,11 @@ class Joins:
         if self.poles:
             notes.append(f"Edges collapsed to a point: {', '.join(f'{p.patch}:{p.side}' for p in self.poles[:12])}.")
         return Table(f"{self.name}: joins", tuple(notes), (*texts[:3], *floats, *texts[3:]))
+
+
+def _read(values: Sequence[float], limit: float) -> tuple[float, ...]:
+    """Return values to be read: three digits, 0 for what is as good as nothing beside a limit."""
+    return tuple(0.0 if abs(x) <= _ROUNDING * limit else float(f"{x:.3g}") for x in values)
 
 
 def _number(value: float) -> float | None:

@@ -62,7 +62,7 @@ def _kept(patch: Patch) -> Keys:
 
 
 def _tensor(patch: Patch) -> Handle:
-    points = np.array(getattr(patch.definition, "points"))  # noqa: B009 - any kind that has points
+    points = np.array(patch.definition.model_dump()["points"])
     return Handle(
         points.ravel(),
         lambda x: x.reshape(points.shape),

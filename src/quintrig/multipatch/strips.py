@@ -50,20 +50,20 @@ def attach_strip(one: Patch, side1: str, two: Patch, side2: str, level: int, rat
     moved, cost, kappa = best
     keys: dict[str, Any] = two.definition.model_dump(exclude_defaults=True)
     ordered = moved if side2 == "u0" else moved[::-1]
-    bounds = getattr(one.definition, "bounds")  # noqa: B009
-    notes = () if bounds == two.definition.bounds else (f"{two.name}: cut by the bounding planes of {one.name}",)
+    bounds, own_bounds = (patch.definition.model_dump()["bounds"] for patch in (one, two))
+    notes = () if bounds == own_bounds else (f"{two.name}: cut by the bounding planes of {one.name}",)
     keys |= {"kind": two.kind, "planes": ordered.tolist(), "bounds": [list(plane) for plane in bounds]}
     return AttachedStrip(two.rebuilt(**keys), kappa, cost, notes)
 
 
 def _towards(patch: Patch, side: str) -> tuple[FloatArray, float]:
     """Return the control planes so that the last is at the side, and the shape parameter there."""
-    planes, (alpha, zeta) = np.array(getattr(patch.definition, "planes"), dtype=np.float64), patch.shape  # noqa: B009
+    planes, (alpha, zeta) = np.array(patch.definition.model_dump()["planes"], dtype=np.float64), patch.shape
     return (planes, zeta) if side == "u1" else (planes[::-1], alpha)
 
 
 def _from(patch: Patch, side: str) -> tuple[FloatArray, float]:
-    planes, (alpha, zeta) = np.array(getattr(patch.definition, "planes"), dtype=np.float64), patch.shape  # noqa: B009
+    planes, (alpha, zeta) = np.array(patch.definition.model_dump()["planes"], dtype=np.float64), patch.shape
     return (planes, alpha) if side == "u0" else (planes[::-1], zeta)
 
 

@@ -12,6 +12,7 @@ from markupsafe import Markup
 from quintrig import __version__
 from quintrig.model.model import Model
 from quintrig.model.toml import to_toml
+from quintrig.multipatch.joins import Joins
 from quintrig.quantities.classify import Thresholds
 from quintrig.quantities.signs import SIGN_TABLES
 from quintrig.quantities.table import QUANTITIES, quantity
@@ -63,7 +64,8 @@ def write_report(
     thresholds = thresholds or Thresholds()
     detailed = len(model.patches) <= DETAILED
     several = len(model.patches) > 1
-    total = 1 + (3 if several else 0)
+    total = 1 + (4 if several else 0)
+    joins: Joins | None = model.joins() if several else None
     total += sum(known.steps(patch, detailed) + picture_count(patch, detailed) for patch in model.patches)
     step = _steps(progress, total)
     chapters: list[Chapter] = []
@@ -76,11 +78,11 @@ def write_report(
             images[picture.name] = render(picture)
         chapters.append(Chapter(found, images, f"patch-{index + 1}", detailed))
     together: dict[str, Image] = {}
-    for picture in overview(model) if several else ():
+    for picture in overview(model, joins) if joins is not None else ():
         step(f"picture {picture.name}")
         together[picture.name] = render(picture)
     step("writing the page")
-    return write_whole(target, _page(model, chapters, together, grid, thresholds))
+    return write_whole(target, _page(model, chapters, together, joins, grid, thresholds))
 
 
 def _steps(progress: Progress | None, total: int) -> Callable[[str], None]:
@@ -96,7 +98,14 @@ def _target(out: Path) -> Path:
     return target
 
 
-def _page(model: Model, chapters: list[Chapter], together: dict[str, Image], grid: int, thresholds: Thresholds) -> str:
+def _page(
+    model: Model,
+    chapters: list[Chapter],
+    together: dict[str, Image],
+    joins: Joins | None,
+    grid: int,
+    thresholds: Thresholds,
+) -> str:
     source = to_toml(model.to_dict())
     live = len(source) <= _LARGEST_VIEW
     return (
@@ -106,6 +115,7 @@ def _page(model: Model, chapters: list[Chapter], together: dict[str, Image], gri
             model=model,
             chapters=chapters,
             together=together,
+            joins=joins,
             grid=grid,
             thresholds=thresholds,
             version=__version__,
