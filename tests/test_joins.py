@@ -307,3 +307,13 @@ def test_a_seam_table_leaves_out_nothing_but_the_smoothest(monkeypatch):
     cut = tables.seams_table(joins)
     assert len(cut.rows) == 2
     assert f"of {len(joins)} seams" in cut.notes[-1]
+
+
+def test_a_step_file_is_one_shell_across_seams_that_count_as_closed(tmp_path):
+    path = torn(tmp_path, 0.008)
+    (seam,) = quintrig.load(path).joins()
+    assert 0.005 < seam.gap.most < 0.01
+    assert seam.order != "open"
+    done = run("export", path, tmp_path / "torn.step")
+    assert done.code == 0
+    assert "1 shared edges" in done.err

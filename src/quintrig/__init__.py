@@ -81,6 +81,7 @@ _HOME = {
     "geometry.surface": ("Surface",),
 }
 late.register("joins", lambda *args, **words: import_module("quintrig.multipatch.find").joins_of(*args, **words))
+late.register("hold", lambda model: import_module("quintrig.multipatch.hold").hold(model))
 display.register(lambda value: import_module("quintrig.studio.notebook").bundle(value))
 _WHERE = {name: module for module, names in _HOME.items() for name in names}
 

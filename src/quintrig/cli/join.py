@@ -39,6 +39,9 @@ def join(
     convert: Annotated[
         bool, typer.Option("--convert", help="Make a tensor-product patch of what cannot join and keep its kind.")
     ] = False,
+    hold: Annotated[
+        bool, typer.Option("--hold", help="Keep the join in the model file: the second side follows from now on.")
+    ] = False,
     force: Force = False,
 ) -> None:
     """Move the rows of the second side, as little as needed, so that it joins the first: G0, G1, G2 or G3.
@@ -52,19 +55,19 @@ def join(
 
     if output.suffix.lower() not in (".toml", ".json"):
         raise QuintrigError(f"{output}: expected a name ending in .toml or .json")
-    joined = _joined(session.load(model), first, second, order, ratio, both, convert)
+    joined = _joined(session.load(model), first, second, order, ratio, both, convert, hold)
     for target in targets(joined, output):
         refuse_loss(target, model, force=force)
     session.told(export(joined, output))
 
 
 def _joined(
-    model: "Model", first: str, second: str, order: str, ratio: float | None, both: bool, convert: bool
+    model: "Model", first: str, second: str, order: str, ratio: float | None, both: bool, convert: bool, hold: bool
 ) -> "Model":
     """Join patches of a model, and tell what was reached."""
     from quintrig.multipatch.attach import attach
 
-    done = attach(model, first, second, order, ratio, both=both, convert=convert)
+    done = attach(model, first, second, order, ratio, both=both, convert=convert, hold=hold)
     for note in done.notes:
         session.remark(note)
     seam = done.join.describe(model.unit) if done.join else f"{first} and {second} do not meet along their length"

@@ -9,6 +9,7 @@ from pydantic import ValidationError
 
 from quintrig.geometry.surface import Surface
 from quintrig.model.explain import HEADER, explain, spell
+from quintrig.model.held import Held, held
 from quintrig.model.kinds.definition import Definition
 from quintrig.model.kinds.registry import kinds
 from quintrig.support.csv_rows import rows_of
@@ -84,11 +85,12 @@ class Patch:
 
 @dataclass(frozen=True, eq=False)
 class Model:
-    """A model file: name, unit of length (empty: plain numbers) and patches."""
+    """A model file: name, unit of length (empty: plain numbers), patches, and which sides are held together."""
 
     name: str
     unit: str
     patches: tuple[Patch, ...]
+    held: tuple[Held, ...] = ()
 
     def __repr__(self) -> str:
         """Return one line: name, unit and patches."""
@@ -132,7 +134,16 @@ class Model:
 
     def with_shape(self, shape: Sequence[float]) -> "Model":
         """Return the model with every patch's shape parameters replaced."""
-        return replace(self, patches=tuple(patch.with_shape(shape) for patch in self.patches))
+        return replace(self, patches=tuple(patch.with_shape(shape) for patch in self.patches))._carried()
+
+    def with_patch(self, patch: Patch) -> "Model":
+        """Return the model with the patch of this name replaced, and with what its joins carry along."""
+        old = self.patch(patch.name)
+        return replace(self, patches=tuple(patch if one is old else one for one in self.patches))._carried()
+
+    def _carried(self) -> "Model":
+        """Return the model with every side that is held moved to what it is held to."""
+        return call("hold", self) if self.held else self
 
     @staticmethod
     def from_dict(data: Mapping[str, Any], folder: Path | None = None) -> "Model":
@@ -152,11 +163,13 @@ class Model:
             hint = f"did you mean {meant!r}?" if meant in UNITS else "leave it out for plain numbers"
             raise ModelError(f"unit: expected one of {', '.join(UNITS)}, got {unit!r}; {hint}")
         name = _text(data.pop("name", ""), "name")
+        tables = data.pop("join", None)
         if "patch" in data:
             patches = _several(data, folder)
         else:
             patches = (_patch(data, name or str(data.get("kind", "surface")), folder),)
-        return Model(name or patches[0].name, unit, patches)
+        rules = () if tables is None else held(tables, tuple(patch.name for patch in patches))
+        return Model(name or patches[0].name, unit, patches, rules)._carried()
 
     def to_dict(self) -> dict[str, Any]:
         """Return the keys of a model file that gives this model back; keys at their default are left out."""
@@ -170,7 +183,8 @@ class Model:
         if len(dumps) == 1:
             return header | dumps[0]
         named = [{"name": patch.name} | dump for patch, dump in zip(self.patches, dumps, strict=True)]
-        return header | {"patch": named}
+        joins = {"join": [rule.to_dict() for rule in self.held]} if self.held else {}
+        return header | {"patch": named} | joins
 
 
 def load(path: str | Path) -> Model:

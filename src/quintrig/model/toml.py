@@ -5,14 +5,17 @@ import textwrap
 from typing import Any, cast
 
 _WIDTH = 110
+TABLES = ("patch", "join")
+"""Keys whose values are lists of tables."""
 
 
 def to_toml(keys: dict[str, Any], remarks: tuple[str, ...] = ()) -> str:
-    """Return the keys of a model file as TOML, ``patch`` as ``[[patch]]`` tables, remarks as comments on top."""
+    """Return the keys of a model file as TOML, ``patch`` and ``join`` as tables, remarks as comments on top."""
     lines = [f"# {' '.join(remark.split())}" for remark in remarks]
-    lines += [_line(key, value) for key, value in keys.items() if key != "patch"]
-    for table in keys.get("patch", ()):
-        lines += ["", "[[patch]]", *(_line(key, value) for key, value in table.items())]
+    lines += [_line(key, value) for key, value in keys.items() if key not in TABLES]
+    for name in TABLES:
+        for table in keys.get(name, ()):
+            lines += ["", f"[[{name}]]", *(_line(key, value) for key, value in table.items())]
     return "\n".join(lines) + "\n"
 
 

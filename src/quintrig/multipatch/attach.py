@@ -4,6 +4,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from quintrig.model.held import Held, held
 from quintrig.model.model import Model, Patch
 from quintrig.multipatch.boundary import SIDES, Edge, edges
 from quintrig.multipatch.find import joins_of
@@ -43,14 +44,16 @@ def join(
     *,
     both: bool = False,
     convert: bool = False,
+    hold: bool = False,
 ) -> Model:
     """Return the model with the second side moved, as little as needed, to join the first: ``"a:u1"``, ``"b:u0"``.
 
     ``order`` is G0, G1, G2 or G3; ``ratio`` > 0 that of the speeds across the seam, second to first, by default the
     one of least change. With ``both`` the first patch moves too; with ``convert`` a patch that cannot stay of its
-    kind becomes a tensor-product patch. Raises ModelError or ValueError for sides that cannot be joined.
+    kind becomes a tensor-product patch; with ``hold`` the model keeps the join from now on. Raises ModelError or
+    ValueError for sides that cannot be joined.
     """
-    return attach(model, first, second, order, ratio, both=both, convert=convert).model
+    return attach(model, first, second, order, ratio, both=both, convert=convert, hold=hold).model
 
 
 def attach(
@@ -62,6 +65,7 @@ def attach(
     *,
     both: bool = False,
     convert: bool = False,
+    hold: bool = False,
 ) -> Attached:
     """Do what ``join`` does, and tell what came of it."""
     level = _order(order)
@@ -70,8 +74,7 @@ def attach(
     (one, side1), (two, side2) = side_of(model, first), side_of(model, second)
     if one.name == two.name:
         raise ModelError(f"{first} and {second}: expected sides of two patches; a patch is not joined to itself")
-    edge1, edge2 = _edge(one, side1), _edge(two, side2)
-    reverse = _reversed(edge1, edge2)
+    reverse = runs_back(edge_of(one, side1), edge_of(two, side2))
     if two.kind == "developable":
         if both:
             raise ModelError(f"{second}: of two developable strips only the second moves; leave out both")
@@ -80,7 +83,11 @@ def attach(
     else:
         changed, done, notes = _matched(one, side1, two, side2, level, ratio, reverse, both, convert)
         ratio_used, moved, exact = done.ratio, done.moved, done.exact
-    result = replace(model, patches=tuple(changed.get(patch.name, patch) for patch in model.patches))
+    rules = model.held
+    if hold:
+        table = Held(first, second, order, ratio_used).to_dict()
+        rules = held([*(rule.to_dict() for rule in rules), table], tuple(patch.name for patch in model.patches))
+    result = replace(model, patches=tuple(changed.get(patch.name, patch) for patch in model.patches), held=rules)
     seam = _seam(result, (one.name, side1), (two.name, side2))
     worse = tuple(_worse(model, result, set(changed), {(one.name, side1), (two.name, side2)}))
     return Attached(result, seam, ratio_used, moved, exact, (*notes, *worse))
@@ -103,7 +110,8 @@ def _order(order: str) -> int:
     return ORDERS.index(order) - 1
 
 
-def _edge(patch: Patch, side: str) -> Edge:
+def edge_of(patch: Patch, side: str) -> Edge:
+    """Return the edge along a side of a whole patch; ModelError where it is a pole, trimmed or not finite."""
     if patch.surface.trim:
         raise ModelError(
             f"{patch.name}:{side}: the face is trimmed, and its sides are not its edges; join whole patches"
@@ -118,7 +126,7 @@ def _edge(patch: Patch, side: str) -> Edge:
     raise ModelError(f"{patch.name}:{side}: the side has points that are not finite; check the patch")
 
 
-def _reversed(first: Edge, second: Edge) -> bool:
+def runs_back(first: Edge, second: Edge) -> bool:
     """Return whether the second edge runs the other way; ModelError where their lengths do not go together."""
     ratio = max(first.length, second.length) / min(first.length, second.length)
     if ratio > _LONGEST:
@@ -145,8 +153,8 @@ def _matched(
 ) -> tuple[dict[str, Patch], Match, tuple[str, ...]]:
     """Return the patches changed, by name, what the match took, and notes."""
     notes: list[str] = []
-    two, own = _movable(two, convert, notes)
-    one, other = _movable(one, convert, notes) if both else (one, None)
+    two, own = movable(two, convert, notes)
+    one, other = movable(one, convert, notes) if both else (one, None)
     for patch, side in ((two, side2), *(((one, side1),) if both else ())):
         count = layers(patch.surface, side)
         if count <= level:
@@ -172,7 +180,7 @@ def _matched(
                     f"G{level}; --convert (convert=True) makes it a tensor-product patch"
                 )
             notes.append(f"{two.name}: made a tensor-product patch")
-            two, own = _movable(tensor, convert, notes)
+            two, own = movable(tensor, convert, notes)
             done = solve()
     if not done.exact:
         notes.append(_why(one, side1, two, side2, reverse))
@@ -182,7 +190,8 @@ def _matched(
     return changed, done, tuple(notes)
 
 
-def _movable(patch: Patch, convert: bool, notes: list[str]) -> tuple[Patch, Handle]:
+def movable(patch: Patch, convert: bool, notes: list[str]) -> tuple[Patch, Handle]:
+    """Return a patch, and what may be moved of it; ModelError where it is of a kind that has no such thing."""
     found = handle(patch)
     if found is not None:
         return patch, found
@@ -220,7 +229,7 @@ def _family(patch: Patch, side: str):
 
 
 def _seam(model: Model, first: tuple[str, str], second: tuple[str, str]) -> Join | None:
-    pair = replace(model, patches=(model.patch(first[0]), model.patch(second[0])))
+    pair = replace(model, patches=(model.patch(first[0]), model.patch(second[0])), held=())
     for found in joins_of(pair, near=0.5):
         if {(end.patch, end.side) for end in (found.first, found.second)} == {first, second}:
             return found

@@ -6,6 +6,7 @@ constants κ > 0, μ and ν (Farin 2002, §21). For a fixed κ these are linear 
 μ and ν, whatever the basis.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -104,12 +105,10 @@ def match(
     ``ratio`` is κ; without, the one of least change. With ``other``, the first patch's, both move.
     """
     net = handle.net(handle.values)
-    count = max(_POINTS, 2 * max(net.shape[:2]))
-    t = _along(count, False)
-    target = derivatives_across(first, first_side, t, order, outward=True)
-    strip = _strip(second, net, second_side, _along(count, reverse), order, outward=False)
+    t = _along(max(_POINTS, 2 * max(net.shape[:2])), False)
     linear = handle.map()
-    solver = _Solver(target, strip, linear, order, first.size, second.size)
+    solver = _solver(first, first_side, second, second_side, net, linear, order, reverse)
+    strip = solver.strip
     kappa = (1.0 if order == 0 else _least(solver)) if ratio is None else ratio
     moved, free = solver.solve(kappa)
     exact = solver.exact(kappa, moved, free)
@@ -119,6 +118,57 @@ def match(
     shift, exact = _both(own, strip, other.map(), linear, kappa, free, order)
     one, two = other.values + shift[: len(other.values)], handle.values + shift[len(other.values) :]
     return Match(one, two, kappa, float(np.linalg.norm(shift)), exact)
+
+
+@dataclass(frozen=True)
+class Condition:
+    """A side that the patch to be moved is held to: a surface and its side, the own side, order, sense and ratio κ."""
+
+    surface: Surface
+    side: str
+    own_side: str
+    order: int
+    reverse: bool
+    ratio: float
+
+
+def match_all(surface: Surface, handle: Handle, conditions: Sequence[Condition]) -> tuple[FloatArray, tuple[bool, ...]]:
+    """Return the free coordinates, changed least, that meet all conditions at once, and which are met to rounding."""
+    net, linear = handle.net(handle.values), handle.map()
+    solvers = [
+        _solver(one.surface, one.side, surface, one.own_side, net, linear, one.order, one.reverse) for one in conditions
+    ]
+    parts = [solver.system(one.ratio) for solver, one in zip(solvers, conditions, strict=True)]
+    cut = linear.shape[1]
+    more = np.cumsum([0, *(part[0].shape[1] - cut for part in parts)])
+    whole = np.zeros((sum(len(right) for _, right in parts), cut + int(more[-1])))
+    row = 0
+    for (block, _), start, end in zip(parts, more, more[1:], strict=False):
+        whole[row : row + len(block), :cut] = block[:, :cut]
+        whole[row : row + len(block), cut + start : cut + end] = block[:, cut:]
+        row += len(block)
+    x = _least_change(whole, np.concatenate([right for _, right in parts]), cut)
+    free = np.split(x[cut:], more[1:-1])
+    met = tuple(
+        solver.exact(one.ratio, x[:cut], own) for solver, one, own in zip(solvers, conditions, free, strict=True)
+    )
+    return handle.values + x[:cut], met
+
+
+def _solver(
+    first: Surface,
+    first_side: str,
+    second: Surface,
+    second_side: str,
+    net: FloatArray,
+    linear: FloatArray,
+    order: int,
+    reverse: bool,
+) -> "_Solver":
+    count = max(_POINTS, 2 * max(net.shape[:2]))
+    target = derivatives_across(first, first_side, _along(count, False), order, outward=True)
+    strip = _strip(second, net, second_side, _along(count, reverse), order, outward=False)
+    return _Solver(target, strip, linear, order, first.size, second.size)
 
 
 class _Solver:
@@ -137,6 +187,12 @@ class _Solver:
 
     def solve(self, kappa: float) -> tuple[FloatArray, FloatArray]:
         """Return the change of the coordinates, and (μ, ν) as far as the order has them."""
+        cut = self.left[0].shape[1]
+        x = _least_change(*self.system(kappa), cut)
+        return x[:cut], x[cut:]
+
+    def system(self, kappa: float) -> tuple[FloatArray, FloatArray]:
+        """Return the matrix of the conditions, by the change of the coordinates, μ and ν, and their right side."""
         wanted, free = chained(self.target, kappa)
         count = max(self.order - 1, 0)
         blocks, right = list[FloatArray](), list[FloatArray]()
@@ -144,9 +200,7 @@ class _Solver:
             extra = [-free[k][i].reshape(-1, 1) for i in range(count)]
             blocks.append(np.concatenate([self.left[k], *extra], axis=-1) / np.pi**k)
             right.append((wanted[k] - self.now[k]).ravel() / np.pi**k)
-        x = _least_change(np.concatenate(blocks), np.concatenate(right), self.left[0].shape[1])
-        cut = self.left[0].shape[1]
-        return x[:cut], x[cut:]
+        return np.concatenate(blocks), np.concatenate(right)
 
     def exact(self, kappa: float, moved: FloatArray, free: FloatArray) -> bool:
         """Return whether the conditions are met along the whole edge, to rounding."""

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from quintrig.model.model import Model
+from quintrig.model.toml import TABLES
 from quintrig.support.errors import ModelError
 from quintrig.support.parsing import parse
 
@@ -40,9 +41,11 @@ def merged(text: str, model: Model, folder: Path | None = None) -> str:
 
 def whole(keys: dict[str, Any]) -> str:
     """Return the keys of a model file as TOML."""
-    lines = [f"{key} = {spell(value)}" for key, value in keys.items() if key != "patch" and value is not None]
-    for table in keys.get("patch", []):
-        lines += ["", "[[patch]]", *(f"{key} = {spell(value)}" for key, value in table.items() if value is not None)]
+    lines = [f"{key} = {spell(value)}" for key, value in keys.items() if key not in TABLES and value is not None]
+    for name in TABLES:
+        for table in keys.get(name, []):
+            values = (f"{key} = {spell(value)}" for key, value in table.items() if value is not None)
+            lines += ["", f"[[{name}]]", *values]
     return "\n".join(lines) + "\n"
 
 
