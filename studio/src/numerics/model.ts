@@ -41,6 +41,8 @@ export interface Model {
   readonly name: string;
   readonly unit: string;
   readonly patches: readonly Patch[];
+  /** The [[join]] tables of the file, kept as they are: the server moves what follows. */
+  readonly join?: readonly unknown[];
 }
 
 /** A model that cannot be used: where, what was expected, what was found. */
@@ -49,7 +51,7 @@ export class ModelError extends Error {}
 /** Read the keys of a model file; ModelError in one line. */
 export function fromDict(source: unknown): Model {
   if (!isTable(source)) throw new ModelError(`model: expected keys and values, got ${spell(source)}`);
-  const { schema = data.schema, name = "", unit = "", patch, ...rest } = source;
+  const { schema = data.schema, name = "", unit = "", patch, join, ...rest } = source;
   if (schema !== data.schema) throw new ModelError(`schema: expected ${data.schema}, got ${spell(schema)}; this quintrig reads version 1`);
   if (unit !== "" && !UNITS.includes(unit as string)) {
     throw new ModelError(`unit: expected one of ${UNITS.join(", ")}, got ${spell(unit)}; leave it out for plain numbers`);
@@ -66,7 +68,8 @@ export function fromDict(source: unknown): Model {
     if (!isTable(table)) throw new ModelError(`patch ${index + 1}: expected a table of keys, got ${spell(table)}`);
     return checked({ ...table, name: table["name"] ?? `patch ${index + 1}` });
   });
-  return { name: name || patches[0]!.name, unit: unit as string, patches };
+  if (join !== undefined && !Array.isArray(join)) throw new ModelError(`join: expected one or more [[join]] tables, got ${spell(join)}`);
+  return { name: name || patches[0]!.name, unit: unit as string, patches, ...(join ? { join } : {}) };
 }
 
 /** The keys of a model file that gives this model back. */
@@ -77,7 +80,7 @@ export function toDict(model: Model): Record<string, unknown> {
     const { name: _, ...keys } = model.patches[0]!;
     return { ...header, ...keys };
   }
-  return { ...header, patch: model.patches };
+  return { ...header, patch: model.patches, ...(model.join ? { join: model.join } : {}) };
 }
 
 /** Build the surface of a patch; ModelError where its values do not go together. */
