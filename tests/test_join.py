@@ -244,3 +244,28 @@ def test_the_command_tells_what_it_reached_and_keeps_its_input(tmp_path):
     assert run("join", path, "left:a:u1", "b:u0", "-o", path, "--force").code == 2
     assert run("join", path, "left:a:u1", "b:u0", "-o", out).code == 2
     assert run("join", path, "left:a:u1", "b:u0", "-o", out, "--force").code == 0
+
+
+@pytest.mark.parametrize("order", ["G0", "G1"])
+def test_a_ruled_patch_stays_ruled_along_its_curves(order):
+    a = tensor("a", net(0, 1), (0, 0, 0.3, -1))
+    curve = [[100.0, 20 * i, 5.0] for i in range(6)]
+    b = {"name": "b", "kind": "ruled", "first": curve, "second": [[200, y, z + 9] for _, y, z in curve]}
+    done = attach(model(a, b | {"shape": [0.3, -1, 0.3, -1]}), "a:u1", "b:v0", order)
+    assert done.model.patch("b").kind == "ruled"
+    assert (done.exact, done.join.order) == (True, order)
+
+
+def test_straight_lines_that_cannot_join_say_so():
+    b = {"name": "b", "kind": "ruled", "first": [[100 + 20 * i, 0, 0] for i in range(6)]}
+    b["second"] = [[x, 100, 9] for x, _, _ in b["first"]]
+    with pytest.raises(ValueError, match="straight lines cannot join"):
+        quintrig.join(model(tensor("a", net(0, 1)), b), "a:u1", "b:u0", "G1")
+
+
+def test_symmetric_patches_stay_symmetric():
+    half = net(100.0, 3)[:3]
+    b = {"name": "b", "kind": "symmetric", "points": half.tolist(), "mirror": [1, 0, 0, -150]}
+    done = attach(model(tensor("a", net(0, 1)), b), "a:u1", "b:u0", "G1")
+    assert done.model.patch("b").kind == "symmetric"
+    assert (done.exact, done.join.order) == (True, "G1")

@@ -171,6 +171,11 @@ def _matched(
         )  # fmt: skip
 
     done = solve()
+    if not done.exact and two.kind == "ruled":
+        raise ModelError(
+            f"{two.name}:{side2}: straight lines cannot join {one.name}:{side1} to G{level}; ask for a lower order, give "
+            "both edges the same shape parameters, or take a tensor-product patch"
+        )
     if not done.exact and two.kind != "tensor":
         tensor = as_tensor(two)
         if tensor is not None:
@@ -197,8 +202,9 @@ def movable(patch: Patch, convert: bool, notes: list[str]) -> tuple[Patch, Handl
         return patch, found
     tensor = as_tensor(patch)
     if tensor is None or (found := handle(tensor)) is None:
+        what = "a NURBS surface with weights" if patch.kind == "nurbs" else f"a {patch.kind}"
         raise ModelError(
-            f"{patch.name}: a {patch.kind} has no net of control points to move; join the other patch to it instead "
+            f"{patch.name}: {what} has no control points that a join may move; join the other patch to it instead "
             "(name it second)"
         )
     if not convert:

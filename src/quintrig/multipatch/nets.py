@@ -99,6 +99,24 @@ def _swept(patch: Patch) -> Handle:
     return Handle(np.concatenate([section.ravel(), trajectory.ravel()]), net, back)
 
 
+def _ruled(patch: Patch) -> Handle:
+    """The net has the points of one curve in its first column and those of the other in its second, else zeros."""
+    keys = patch.definition.model_dump()
+    first, second = np.array(keys["first"]), np.array(keys["second"])
+
+    def net(x: FloatArray) -> FloatArray:
+        points: FloatArray = np.zeros((len(first) + len(second), 2, 3))
+        points[: len(first), 0] = x[: first.size].reshape(-1, 3)
+        points[len(first) :, 1] = x[first.size :].reshape(-1, 3)
+        return points
+
+    def back(x: FloatArray) -> Keys:
+        a, b = x[: first.size].reshape(-1, 3), x[first.size :].reshape(-1, 3)
+        return {**_kept(patch), "first": a.tolist(), "second": b.tolist()}
+
+    return Handle(np.concatenate([first.ravel(), second.ravel()]), net, back)
+
+
 def _nurbs(patch: Patch) -> Handle | None:
     return _tensor(patch) if net_of(patch) is not None else None
 
@@ -107,5 +125,6 @@ _HANDLES: dict[str, Callable[[Patch], Handle | None]] = {
     "tensor": _tensor,
     "symmetric": _symmetric,
     "swept": _swept,
+    "ruled": _ruled,
     "nurbs": _nurbs,
 }
