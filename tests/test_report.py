@@ -323,6 +323,7 @@ def test_several_patches_are_told_one_by_one_and_many_in_brief(undrawn, tmp_path
     assert "patch-1-effect" not in many.words
     assert "told in brief" in squeezed(many.words["all"])
     assert "<b>4" in squeezed(many.words["all"])
+    assert "left:v1" in squeezed(few.words["all"])  # the table of seams
 
 
 def test_a_page_that_cannot_be_written_says_so_and_leaves_nothing(undrawn, tmp_path):

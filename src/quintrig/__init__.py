@@ -6,7 +6,7 @@ Names are loaded on first use, so that ``import quintrig`` costs next to nothing
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from quintrig.support import display
+from quintrig.support import display, late
 
 if TYPE_CHECKING:
     from quintrig.analysis.agreement import compare_methods as compare_methods
@@ -48,6 +48,9 @@ if TYPE_CHECKING:
     from quintrig.model.model import Model as Model
     from quintrig.model.model import load as load
     from quintrig.model.save import save as save
+    from quintrig.multipatch.attach import join as join
+    from quintrig.multipatch.find import find_joins as find_joins
+    from quintrig.multipatch.joins import Joins as Joins
     from quintrig.quantities.classify import Thresholds as Thresholds
     from quintrig.support.errors import ModelError as ModelError
 
@@ -72,6 +75,9 @@ _HOME = {
     "support.errors": ("ModelError",),
     "model.model": ("Model", "load"),
     "model.save": ("save",),
+    "multipatch.attach": ("join",),
+    "multipatch.find": ("find_joins",),
+    "multipatch.joins": ("Joins",),
     "geometry.closed_forms": (
         "catenoid",
         "cone",
@@ -90,6 +96,8 @@ _HOME = {
     "geometry.domain": ("grid",),
     "geometry.surface": ("Surface",),
 }
+late.register("joins", lambda *args, **words: import_module("quintrig.multipatch.find").joins_of(*args, **words))
+late.register("hold", lambda *model: import_module("quintrig.multipatch.hold").hold(*model))
 display.register(lambda value: import_module("quintrig.studio.notebook").bundle(value))
 _WHERE = {name: module for module, names in _HOME.items() for name in names}
 

@@ -13,11 +13,13 @@ export function toToml(model: Model): string {
   const put = (keys: Record<string, unknown>) => {
     for (const [key, value] of Object.entries(keys)) if (value !== null && value !== undefined) lines.push(`${key} = ${spell(value)}`);
   };
-  const { patch, ...header } = dict;
+  const { patch, join, ...header } = dict;
   put(header);
-  for (const table of (patch ?? []) as Record<string, unknown>[]) {
-    lines.push("", "[[patch]]");
-    put(table);
+  for (const [name, tables] of Object.entries({ patch, join })) {
+    for (const table of (tables ?? []) as Record<string, unknown>[]) {
+      lines.push("", `[[${name}]]`);
+      put(table);
+    }
   }
   return `${lines.join("\n")}\n`;
 }

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from quintrig.analysis.extremes import Extreme
     from quintrig.analysis.summary import Summary
     from quintrig.model.model import Model, Patch
+    from quintrig.multipatch.joins import Joins
 
 _EPILOG = session.examples(
     ("quintrig check lid.toml", "tells kind, size, shape parameters, normal, curvature and warnings"),
@@ -39,7 +40,8 @@ def check(
     """Check models, and tell in a few lines what each is and what to beware of.
 
     Warnings are singular points and edges, an edge of regression inside a developable strip, shape parameters outside
-    their range, folds and coinciding control points. A note is no fault of the surface and does not fail --strict.
+    their range, folds, coinciding control points, and seams between patches that are nearly closed. A note is no fault
+    of the surface and does not fail --strict.
     """
     console = session.output()
     warnings = mistakes = 0
@@ -64,7 +66,25 @@ def _tell(path: Path, model: "Model", console: "Console") -> int:
     console.print(
         f"[bold]{escape(printable(model.name))}[/bold]  [dim]{escape(printable(str(path)))}[/dim]", soft_wrap=True
     )
-    return sum(_tell_patch(patch, model, console) for patch in model.patches)
+    return sum(_tell_patch(patch, model, console) for patch in model.patches) + _tell_seams(model, console)
+
+
+def _tell_seams(model: "Model", console: "Console") -> int:
+    """Print how many edges of several patches meet, and how smoothly; return the number of seams nearly closed."""
+    from rich.markup import escape
+
+    if len(model.patches) < 2:
+        return 0
+    joins: Joins = model.joins()
+    counts = ", ".join(f"{count} {order}" for order, count in joins.counts.items() if count) or "none"
+    console.print(f"  [bold]seams[/bold]     {counts}; free edges: {len(joins.free)}", soft_wrap=True)
+    for warning in joins.warnings:
+        console.print(f"  [yellow]warning   {escape(printable(warning))}[/yellow]", soft_wrap=True)
+    for join in joins.joins:
+        if join.opposed:
+            text = f"the normals of {join.first} and {join.second} look to opposite sides; flip one patch"
+            console.print(f"  [dim]note      {escape(printable(text))}[/dim]", soft_wrap=True)
+    return len(joins.warnings)
 
 
 def _tell_patch(patch: "Patch", model: "Model", console: "Console") -> int:

@@ -43,7 +43,7 @@ def _load(path: Path, face: int | None) -> "Model":
 
 def only(model: "Model", name: str | None) -> "Model":
     """Return the model with the patch of this name alone, or all of it."""
-    return model if name is None else replace(model, patches=(model.patch(name),))
+    return model if name is None else replace(model, patches=(model.patch(name),), held=())
 
 
 def patches(model: "Model", name: str | None) -> "tuple[Patch, ...]":

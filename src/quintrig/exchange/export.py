@@ -16,6 +16,8 @@ from quintrig.support.errors import QuintrigError, nearest
 SUFFIXES = (*cad.SUFFIXES, *meshes.SUFFIXES, *nets.SUFFIXES)
 """Every ending that ``export`` knows."""
 
+_MOST_SEAMS = 8  # that are told one by one
+
 
 @dataclass(frozen=True)
 class ExportOptions:
@@ -52,9 +54,9 @@ def export(model: Model, path: str | Path, options: ExportOptions | None = None)
     suffix = path.suffix.lower()
     replaced = tuple(one for one in targets(model, path) if one.is_file())
     if suffix in cad.SUFFIXES:
-        return Written((path,), export_cad(model, path, options.cad), replaced)
+        return Written((path,), (*export_cad(model, path, options.cad), *_open_seams(model)), replaced)
     if suffix in meshes.SUFFIXES:
-        return Written((path,), export_mesh(model, path, options.mesh), replaced)
+        return Written((path,), (*export_mesh(model, path, options.mesh), *_open_seams(model)), replaced)
     if suffix in nets.SUFFIXES:
         paths = export_net(model, path)
         several = (f"{len(paths)} nets of points, a file for each",) if len(paths) > 1 else ()
@@ -63,3 +65,12 @@ def export(model: Model, path: str | Path, options: ExportOptions | None = None)
     if suffix in suffixes("pattern"):
         raise QuintrigError(expected, remedy="export_pattern writes flat patterns", key="pattern")
     raise QuintrigError(f"{expected}{nearest(suffix, SUFFIXES)}")
+
+
+def _open_seams(model: Model) -> tuple[str, ...]:
+    """Return a line on each seam between patches that is nearly closed: CAD and printers take it for a hole."""
+    if len(model.patches) < 2:
+        return ()
+    found: tuple[str, ...] = model.joins().warnings
+    more = (f"and {len(found) - _MOST_SEAMS} more seams are open; the model's joins list them",)
+    return (*found[:_MOST_SEAMS], *(more if len(found) > _MOST_SEAMS else ()))

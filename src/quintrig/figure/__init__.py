@@ -31,6 +31,8 @@ from quintrig.figure.save import to_svg_text as to_svg_text
 from quintrig.figure.scene import Mark as Mark
 from quintrig.figure.scene import Scene as Scene
 from quintrig.figure.scene import Trace as Trace
+from quintrig.figure.seams import SEAM_COLOURS as SEAM_COLOURS
+from quintrig.figure.seams import seam_picture as seam_picture
 from quintrig.figure.whole import flat_map as flat_map
 from quintrig.figure.whole import map_panels as map_panels
 from quintrig.figure.whole import panels as panels

@@ -10,7 +10,7 @@ from quintrig.model.kinds.definition import Definition
 from quintrig.support.arrays import LARGEST, SMALLEST
 from quintrig.support.errors import closest, nearest
 
-HEADER = ("schema", "name", "unit", "bases", "patch")
+HEADER = ("schema", "name", "unit", "bases", "patch", "join")
 """Keys that stand at the top of a file, whatever the kind."""
 
 _NUMBER = f"a number of size at most {LARGEST:.0e}".replace("e+", "e")

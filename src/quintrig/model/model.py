@@ -11,6 +11,7 @@ from quintrig.basis.library import Entry
 from quintrig.basis.registry import bases
 from quintrig.geometry.surface import Surface
 from quintrig.model.explain import HEADER, explain, spell
+from quintrig.model.held import Held, held
 from quintrig.model.kinds.definition import Definition
 from quintrig.model.kinds.recognise import Bare, recognised
 from quintrig.model.kinds.registry import kinds
@@ -19,6 +20,7 @@ from quintrig.support.csv_rows import rows_of
 from quintrig.support.display import mime_bundle
 from quintrig.support.errors import ModelError, nearest
 from quintrig.support.files import open_regular
+from quintrig.support.late import call
 from quintrig.support.parsing import LARGEST_FILE, parse
 
 SCHEMA_VERSION = 1
@@ -95,17 +97,22 @@ class Patch:
         sizes = {name: value for name, value in values.items() if name not in names}
         return self._with(**sizes, **({"shape": shape} if set(values) & set(names) else {}))
 
+    def rebuilt(self, **keys: Any) -> "Patch":
+        """Return a patch of this name built from the keys of a model file; ModelError where they do not fit."""
+        return _patch(keys, self.name, None)
+
     def _with(self, **changed: Any) -> "Patch":
         return _patch({**self.definition.model_dump(), **changed}, self.name, None)
 
 
 @dataclass(frozen=True, eq=False)
 class Model:
-    """A model file: name, unit of length (empty: plain numbers) and patches."""
+    """A model file: name, unit of length (empty: plain numbers), patches, and which sides are held together."""
 
     name: str
     unit: str
     patches: tuple[Patch, ...]
+    held: tuple[Held, ...] = ()
 
     def __repr__(self) -> str:
         """Return one line: name, unit and patches."""
@@ -139,9 +146,27 @@ class Model:
         """Return the interactive view that a notebook shows; only the text where the extra ``jupyter`` is missing."""
         return mime_bundle(self)
 
+    def joins(self, **limits: Any) -> Any:
+        """Return which edges of the patches meet, how smoothly, and which are free.
+
+        The result is a ``Joins``. Takes ``preset`` ("engineering" or "class-a"), ``tolerance`` (length¹), ``angle``
+        (degrees), ``curvature`` (relative jump) and ``near`` (part of an edge's length up to which near misses are
+        told). Raises ValueError for limits not above 0.
+        """
+        return call("joins", self, **limits)
+
     def with_shape(self, shape: Sequence[float]) -> "Model":
         """Return the model with every patch's shape parameters replaced."""
-        return replace(self, patches=tuple(patch.with_shape(shape) for patch in self.patches))
+        return replace(self, patches=tuple(patch.with_shape(shape) for patch in self.patches))._carried()
+
+    def with_patch(self, patch: Patch) -> "Model":
+        """Return the model with the patch of this name replaced, and with what its joins carry along."""
+        old = self.patch(patch.name)
+        return replace(self, patches=tuple(patch if one is old else one for one in self.patches))._carried()
+
+    def _carried(self) -> "Model":
+        """Return the model with every side that is held moved to what it is held to."""
+        return call("hold", self) if self.held else self
 
     @staticmethod
     def from_dict(data: Mapping[str, Any], folder: Path | None = None) -> "Model":
@@ -161,11 +186,13 @@ class Model:
             hint = f"did you mean {meant!r}?" if meant in UNITS else "leave it out for plain numbers"
             raise ModelError(f"unit: expected one of {', '.join(UNITS)}, got {unit!r}; {hint}")
         name = _text(data.pop("name", ""), "name")
+        tables = data.pop("join", None)
         if "patch" in data:
             patches = _several(data, _with_bases(data, folder).get("bases", {}), folder)
         else:
             patches = (_patch(data, name or str(data.get("kind", "surface")), folder),)
-        return Model(name or patches[0].name, unit, patches)
+        rules = () if tables is None else held(tables, tuple(patch.name for patch in patches))
+        return Model(name or patches[0].name, unit, patches, rules)._carried()
 
     def to_dict(self) -> dict[str, Any]:
         """Return the keys of a model file that gives this model back; keys at their default are left out.
@@ -192,7 +219,8 @@ class Model:
             header["bases"] = shared[0]
             dumps = [{key: value for key, value in dump.items() if key != "bases"} for dump in dumps]
         named = [{"name": patch.name} | dump for patch, dump in zip(self.patches, dumps, strict=True)]
-        return header | {"patch": named}
+        joins = {"join": [rule.to_dict() for rule in self.held]} if self.held else {}
+        return header | {"patch": named} | joins
 
 
 def load(path: str | Path) -> Model:

@@ -3,9 +3,29 @@
 from typing import Any
 
 from quintrig.basis.registry import bases
+from quintrig.model.held import ORDERS, SIDES
 from quintrig.model.kinds.definition import Definition
 from quintrig.model.kinds.registry import kinds
 from quintrig.model.model import SCHEMA_VERSION, UNITS
+
+_SIDE = {"type": "string", "pattern": f"^.+:({'|'.join(SIDES)})$"}
+_JOIN: dict[str, Any] = {
+    "title": "A side held to another one",
+    "type": "object",
+    "properties": {
+        "first": _SIDE | {"description": "PATCH:SIDE that leads, such as a:u1"},
+        "second": _SIDE | {"description": "PATCH:SIDE that follows, such as b:u0"},
+        "order": {"enum": list(ORDERS), "default": "G1", "description": "How smooth the seam is"},
+        "ratio": {
+            "type": "number",
+            "exclusiveMinimum": 0,
+            "default": 1,
+            "description": "Speed across the seam",
+        },
+    },
+    "required": ["first", "second"],
+    "additionalProperties": False,
+}
 
 
 def json_schema() -> dict[str, Any]:
@@ -24,6 +44,7 @@ def json_schema() -> dict[str, Any]:
         | {
             "bases": {"type": ["object", "string"], "description": "Bases of the patches' own, by name"},
             "patch": {"type": "array", "minItems": 1, "items": {"oneOf": forms}},
+            "join": {"type": "array", "minItems": 1, "items": _JOIN},
         },
         "required": ["patch"],
         "additionalProperties": False,

@@ -9,14 +9,18 @@ import tomlkit
 from quintrig.support.parsing import Folded, fold
 
 _WIDTH = 110
+TABLES = ("patch", "join")
+"""Keys whose values are lists of tables."""
+
 _LARGEST_EDITED = 2**18  # letters beside long lists of numbers: a second of tomlkit
 
 
 def to_toml(keys: dict[str, Any]) -> str:
-    """Return the keys of a model file as TOML, ``patch`` as ``[[patch]]`` tables."""
-    lines = [f"{key} = {spell(value)}" for key, value in keys.items() if key != "patch"]
-    for table in keys.get("patch", ()):
-        lines += ["", "[[patch]]", *(f"{key} = {spell(value)}" for key, value in table.items())]
+    """Return the keys of a model file as TOML, ``patch`` and ``join`` as ``[[...]]`` tables."""
+    lines = [f"{key} = {spell(value)}" for key, value in keys.items() if key not in TABLES]
+    for name in TABLES:
+        for table in keys.get(name, ()):
+            lines += ["", f"[[{name}]]", *(f"{key} = {spell(value)}" for key, value in table.items())]
     return "\n".join(lines) + "\n"
 
 
@@ -55,6 +59,8 @@ def edited(text: str, before: dict[str, Any], wanted: dict[str, Any]) -> str:
     folded = fold(text)
     if len(folded.text) > _LARGEST_EDITED:
         raise ValueError("expected a shorter text to edit in place")
+    if before.get("join") != wanted.get("join"):
+        raise ValueError("joins: expected those that are there")
     document = tomlkit.parse(folded.text)
     if "patch" in before and "patch" in wanted:
         _edit_patches(cast(Any, document)["patch"], before["patch"], wanted["patch"], folded)

@@ -18,11 +18,13 @@ from quintrig.figure import (
     map_comparison,
     map_panels,
     projections,
+    seam_picture,
     space_picture,
     to_png_bytes,
 )
 from quintrig.figure.field import field, zero_lines
 from quintrig.model.model import Model, Patch
+from quintrig.multipatch.joins import Joins
 from quintrig.quantities.table import BY_KEY
 from quintrig.report.facts import MARKS, Facts, has_effect
 from quintrig.report.wording import percent
@@ -84,13 +86,15 @@ def render(picture: Picture) -> Image:
     return Image(f"data:image/png;base64,{data}", picture.alt, round(96 * width), round(96 * height))
 
 
-def overview(model: Model) -> Iterator[Picture]:
-    """Return the pictures of a model with several patches: all together, plain and by K and H on one scale."""
+def overview(model: Model, joins: Joins) -> Iterator[Picture]:
+    """Return the pictures of a model with several patches: all together, plain and by K and H on one scale, seams."""
     surfaces = [patch.surface for patch in model.patches]
     draw = partial(space_picture, unit=model.unit, width=_HALF)
     yield Picture("all", "All patches together.", partial(draw, surfaces, None, Scene(isolines=3)))
     for key in ("gaussian", "mean"):
         yield Picture(f"all-{key}", f"All patches, coloured by {BY_KEY[key].name}.", partial(draw, surfaces, key))
+    counts = ", ".join(f"{count} {order}" for order, count in joins.counts.items() if count) or "none"
+    yield Picture("all-seams", f"All patches with their seams: {counts}.", partial(seam_picture, surfaces, joins))
 
 
 def pictures(facts: Facts, detailed: bool) -> tuple[Picture, ...]:

@@ -12,6 +12,7 @@ from quintrig.analysis.integrate import INTEGRALS
 from quintrig.analysis.summary import Summary
 from quintrig.analysis.table import INVARIANTS, Column, Table
 from quintrig.figure.palette import CLASS_COLOURS
+from quintrig.multipatch.joins import ORDERS, Joins
 from quintrig.quantities.correspondence import LEVELS, UNDEFINED
 from quintrig.quantities.table import BY_KEY, CLASSES, QUANTITIES
 from quintrig.report.facts import Facts, rounding
@@ -291,3 +292,21 @@ def patches_table(every: Sequence[Facts]) -> Grid:
     names = ("patch", "kind", "area", "least K", "greatest K", "most common HK type", "warnings")
     words = (True, True, False, False, False, True, False)
     return Grid("Patches", tuple(prose(name) for name in names), tuple(rows), words)
+
+
+_MOST_SEAMS = 200
+
+
+def seams_table(joins: Joins) -> Grid:
+    """Return one row for each seam, the roughest first where there are too many for a page."""
+    table = joins.table()
+    notes = [prose(note) for note in table.notes]
+    rows = list(range(len(joins)))
+    if len(rows) > _MOST_SEAMS:
+        rows = sorted(rows, key=lambda k: (ORDERS.index(joins[k].order), -joins[k].angle.most))[:_MOST_SEAMS]
+        notes.append(prose(f"The {_MOST_SEAMS} roughest of {len(joins)} seams; quintrig joins lists all."))
+    columns = [
+        replace(column, values=tuple(column.values[k] for k in rows), rounded=tuple(column.rounded[k] for k in rows))
+        for column in table.columns
+    ]
+    return replace(from_columns("Seams", columns, ()), notes=tuple(notes))

@@ -12,6 +12,7 @@ from markupsafe import Markup
 from quintrig import __version__
 from quintrig.model.model import Model
 from quintrig.model.toml import to_toml
+from quintrig.multipatch.joins import Joins
 from quintrig.quantities.classify import Thresholds
 from quintrig.quantities.signs import SIGN_TABLES
 from quintrig.quantities.table import QUANTITIES, quantity
@@ -62,7 +63,8 @@ def write_report(
     thresholds = thresholds or Thresholds()
     detailed = len(model.patches) <= DETAILED
     several = len(model.patches) > 1
-    total = 1 + (3 if several else 0)
+    total = 1 + (4 if several else 0)
+    joins: Joins | None = model.joins() if several else None
     total += sum(known.steps(patch, detailed) + picture_count(patch, detailed) for patch in model.patches)
     step = _steps(progress, total)
     chapters: list[Chapter] = []
@@ -75,11 +77,11 @@ def write_report(
             images[picture.name] = render(picture)
         chapters.append(Chapter(found, images, f"patch-{index + 1}", detailed))
     together: dict[str, Image] = {}
-    for picture in overview(model) if several else ():
+    for picture in overview(model, joins) if joins is not None else ():
         step(f"picture {picture.name}")
         together[picture.name] = render(picture)
     step("writing the page")
-    return write_whole(target, _page(model, source, chapters, together, grid, thresholds))
+    return write_whole(target, _page(model, source, chapters, together, joins, grid, thresholds))
 
 
 def _steps(progress: Progress | None, total: int) -> Callable[[str], None]:
@@ -100,6 +102,7 @@ def _page(
     source: str,
     chapters: list[Chapter],
     together: dict[str, Image],
+    joins: Joins | None,
     grid: int,
     thresholds: Thresholds,
 ) -> str:
@@ -111,6 +114,7 @@ def _page(
             model=model,
             chapters=chapters,
             together=together,
+            joins=joins,
             grid=grid,
             thresholds=thresholds,
             version=__version__,

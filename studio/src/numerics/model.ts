@@ -17,12 +17,14 @@ export interface Model {
   readonly name: string;
   readonly unit: string;
   readonly patches: readonly Patch[];
+  /** The [[join]] tables of the file, kept as they are: the server moves what follows. */
+  readonly join?: readonly unknown[];
 }
 
 /** Read the keys of a model file; ModelError in one line. */
 export function fromDict(source: unknown): Model {
   if (!isTable(source)) throw new ModelError(`model: expected keys and values, got ${spell(source)}`);
-  const { schema = data.schema, name = "", unit = "", patch, built, ...rest } = source;
+  const { schema = data.schema, name = "", unit = "", patch, join, built, ...rest } = source;
   if (built) learn(built as Built[]); // what Python built of it comes with a model
   if (schema !== data.schema) throw new ModelError(`schema: expected ${data.schema}, got ${spell(schema)}; this quintrig reads version 1`);
   if (unit !== "" && !UNITS.includes(unit as string)) {
@@ -40,7 +42,8 @@ export function fromDict(source: unknown): Model {
     if (!isTable(table)) throw new ModelError(`patch ${index + 1}: expected a table of keys, got ${spell(table)}`);
     return checked({ ...table, name: table["name"] ?? `patch ${index + 1}` });
   });
-  return { name: name || patches[0]!.name, unit: unit as string, patches };
+  if (join !== undefined && !Array.isArray(join)) throw new ModelError(`join: expected one or more [[join]] tables, got ${spell(join)}`);
+  return { name: name || patches[0]!.name, unit: unit as string, patches, ...(join ? { join } : {}) };
 }
 
 /** The keys of a model file that gives this model back. */
@@ -51,7 +54,7 @@ export function toDict(model: Model): Record<string, unknown> {
     const { name: _, ...keys } = model.patches[0]!;
     return { ...header, ...keys };
   }
-  return { ...header, patch: model.patches };
+  return { ...header, patch: model.patches, ...(model.join ? { join: model.join } : {}) };
 }
 
 /** The surface of a patch, built here or by Python; ModelError where its values do not go together. */

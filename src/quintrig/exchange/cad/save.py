@@ -19,6 +19,9 @@ from quintrig.support.files import write_whole
 SUFFIXES = suffixes("cad")
 """Endings of the CAD files that can be written."""
 
+_USUAL_SEWING = 5e-7
+"""Of the size of a patch: seams up to this wide are sewn anyway."""
+
 _LARGEST_DEVIATION = 1e-12
 """Of an exact file from its model, relative to the patch's size and beside what rounding explains; more is a fault."""
 
@@ -75,12 +78,21 @@ def _data(
     from quintrig.exchange.cad.shell import shell
 
     with quiet():
-        shape = shell(parts, options.sew)
+        shape = shell(parts, options.sew or _widest_seam(model))
     if suffix in (".step", ".stp"):
         return cad_write.step(shape, model.name, names, model.unit, options.schema, remark), shape.notes
     if suffix in (".iges", ".igs"):
         return cad_write.iges(shape, model.name, names, model.unit), shape.notes
     return cad_write.brep(shape), (*shape.notes, "BREP holds neither names nor units")
+
+
+def _widest_seam(model: Model) -> float | None:
+    """Return a distance at which all seams that count as closed are sewn; None where the usual one sews them."""
+    if len(model.patches) < 2:
+        return None
+    gaps = [join.gap.most for join in model.joins() if join.order != "open"]
+    size = max(patch.surface.size for patch in model.patches)
+    return 1.5 * max(gaps) if gaps and max(gaps) > _USUAL_SEWING * size else None
 
 
 def _compared(parts: tuple[Carrier, ...], copy: Path, path: Path) -> list[str]:
