@@ -24,7 +24,7 @@ def new(
         str,
         typer.Argument(
             metavar="KIND",
-            help="tensor, symmetric, swept, swung, ruled, developable, nurbs, or a reference surface such as sphere; "
+            help="tensor, symmetric, swept, swung, ruled, developable, nurbs, curve, or a reference surface such as sphere; "
             "a wrong one lists them all.",
             show_default=False,
         ),

@@ -20,7 +20,14 @@ if TYPE_CHECKING:
 
 
 def load(path: Path, face: int | None = None) -> "Model":
-    """Read a model file, or a CAD file, all its faces or one; ModelError or QuintrigError in one line."""
+    """Read a model file of surfaces, or a CAD file, all its faces or one; ModelError or QuintrigError in one line."""
+    model = load_any(path, face)
+    model.refuse_curves()
+    return model
+
+
+def load_any(path: Path, face: int | None = None) -> "Model":
+    """Read what ``load`` reads, or a model of curves."""
     if face is not None or path.suffix.lower() not in (".toml", ".json"):
         from quintrig.exchange.cad import isolated
         from quintrig.exchange.imports import open_model

@@ -19,8 +19,8 @@ def join_curves(first: Curve, second: Curve, order: Order = "G2", ratio: float =
     """Return ``second`` with its first control points moved so that it goes on from the end of ``first``.
 
     ``ratio`` κ > 0 is the speed at the start of the second over that at the end of the first; ``free`` is μ of a G2
-    join, which G3 fixes at -(2π/3) κ (1 + κ). G0 moves one point, G1 two, G2 and G3 three; C1 and C2 are κ = 1, μ = 0. Raises
-    ValueError for another order or basis, a ratio that is not positive, curves in plane and space, and a shape
+    join, which G3 fixes at -(2π/3) κ (1 + κ). G0 moves one point, G1 two, G2 and G3 three; C1 and C2 are κ = 1, μ = 0.
+    Raises ValueError for another order or basis, a ratio that is not positive, curves in plane and space, and a shape
     parameter of -4 at the join, where a curve stands still.
     """
     if order not in _ORDERS:
@@ -56,7 +56,7 @@ def interpolate(points: ArrayLike, closed: bool = False, alpha: float = 0.0, zet
     """Return curves through points (n, 2 or 3), one from each to the next, that join with continuous curvature.
 
     Parameters are the chords' lengths to the power ½ (centripetal; Lee 1989); tangents and second derivatives at the
-    points are those of the cubic C2 spline (natural, or periodic where ``closed``), each taken over by the three control
+    points are those of the cubic C2 spline (natural, or periodic where ``closed``), each taken over by three control
     points at that end of a curve, so that neighbours share tangent and curvature vector: G2. Raises ValueError for
     fewer than 2 points (3 if closed), neighbours that coincide, and shape parameters of -4 or outside [-4, 1].
     """

@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass, replace
+from typing import cast
 
 import numpy as np
 
@@ -98,7 +99,7 @@ def _fitted(curve: Curve, low: float, high: float, by: float = 0.0) -> tuple[Cur
         functions = curve.functions.derivatives(at, 0)[0]
         inner = functions[:, 1:-1]
         ends = functions[:, :1] * target[0] + functions[:, -1:] * target[-1]
-        middle: FloatArray = np.linalg.lstsq(inner, target - ends, rcond=None)[0]
+        middle = cast(FloatArray, np.linalg.lstsq(inner, target - ends, rcond=None)[0])
         fit = replace(curve, points=np.vstack([target[:1], middle, target[-1:]]))
         for _ in range(3):
             place, tangent = fit.derivatives(at, 1)

@@ -7,8 +7,10 @@ from typing import Any, cast
 
 from pydantic import ValidationError
 
+from quintrig.geometry.curve import Curve
 from quintrig.geometry.surface import Surface
 from quintrig.model.explain import HEADER, explain, spell
+from quintrig.model.kinds.curve import CurveKind
 from quintrig.model.kinds.definition import Definition
 from quintrig.model.kinds.registry import kinds
 from quintrig.support.csv_rows import rows_of
@@ -78,17 +80,28 @@ class Patch:
 
 
 @dataclass(frozen=True, eq=False)
+class NamedCurve:
+    """One curve of a model: its name, what the file said of it, and the curve built from that."""
+
+    name: str
+    definition: CurveKind
+    curve: Curve
+
+
+@dataclass(frozen=True, eq=False)
 class Model:
-    """A model file: name, unit of length (empty: plain numbers) and patches."""
+    """A model file: name, unit of length (empty: plain numbers), and patches or else curves."""
 
     name: str
     unit: str
     patches: tuple[Patch, ...]
+    curves: tuple[NamedCurve, ...] = ()
 
     def __repr__(self) -> str:
         """Return one line: name, unit and patches."""
-        kinds = ", ".join(f"{patch.name!r} ({patch.kind})" for patch in self.patches[:4])
-        more = f" and {len(self.patches) - 4} more" if len(self.patches) > 4 else ""
+        parts = [(patch.name, patch.kind) for patch in self.patches] + [(curve.name, "curve") for curve in self.curves]
+        kinds = ", ".join(f"{name!r} ({kind})" for name, kind in parts[:4])
+        more = f" and {len(parts) - 4} more" if len(parts) > 4 else ""
         return f"<Model {self.name!r} in {self.unit or 'plain numbers'}: {kinds}{more}>"
 
     @property
@@ -98,6 +111,7 @@ class Model:
 
     def patch(self, name: str | None = None) -> Patch:
         """Return a patch by name, or the only one; ModelError naming those there are."""
+        self.refuse_curves()
         known = [patch.name for patch in self.patches]
         if name is None and len(self.patches) == 1:
             return self.patches[0]
@@ -111,6 +125,14 @@ class Model:
                 f"model {self.name!r} has no patch {name!r}{nearest(name, known)}; it has {', '.join(known)}"
             )
         return self.patches[known.index(name)]
+
+    def refuse_curves(self) -> None:
+        """Raise ModelError for a model of curves, which has no surface."""
+        if self.curves:
+            raise ModelError(
+                f"model {self.name!r}: expected a surface, found curves; quintrig check and plot read curves, and a "
+                "swept or ruled model makes a surface of them"
+            )
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> Any:
         """Return the interactive view that a notebook shows; only the text where the extra ``jupyter`` is missing."""
@@ -138,6 +160,8 @@ class Model:
             hint = f"did you mean {meant!r}?" if meant in UNITS else "leave it out for plain numbers"
             raise ModelError(f"unit: expected one of {', '.join(UNITS)}, got {unit!r}; {hint}")
         name = _text(data.pop("name", ""), "name")
+        if curves := _curves(data, name, folder):
+            return Model(name or curves[0].name, unit, (), curves)
         if "patch" in data:
             patches = _several(data, folder)
         else:
@@ -149,13 +173,17 @@ class Model:
         header: dict[str, Any] = {"schema": SCHEMA_VERSION, "name": self.name}
         if self.unit:
             header["unit"] = self.unit
+        parts = self.patches or self.curves
         dumps = [
-            {"kind": patch.kind, **patch.definition.model_dump(exclude_defaults=True, exclude={"kind", "name"})}
-            for patch in self.patches
+            {
+                "kind": getattr(part.definition, "kind", ""),
+                **part.definition.model_dump(exclude_defaults=True, exclude={"kind", "name"}),
+            }
+            for part in parts
         ]
         if len(dumps) == 1:
             return header | dumps[0]
-        named = [{"name": patch.name} | dump for patch, dump in zip(self.patches, dumps, strict=True)]
+        named = [{"name": part.name} | dump for part, dump in zip(parts, dumps, strict=True)]
         return header | {"patch": named}
 
 
@@ -255,13 +283,53 @@ def _several(data: dict[str, Any], folder: Path | None) -> tuple[Patch, ...]:
     return tuple(patches)
 
 
+def _curves(data: dict[str, Any], name: str, folder: Path | None) -> tuple[NamedCurve, ...]:
+    """Return the curves of a model of curves; nothing for a model of surfaces."""
+    several = "patch" in data
+    tables: Any = data.get("patch") if several else [data]
+    if not isinstance(tables, list) or not any(_is_curve(table) for table in cast(list[Any], tables)):
+        return ()
+    if several and len(data) > 1:
+        key = next(key for key in data if key != "patch")
+        raise ModelError(f"unknown key {key!r} beside [[patch]] tables{nearest(key, HEADER)}; move it into a patch")
+    curves: list[NamedCurve] = []
+    for index, table in enumerate(cast(list[Any], tables)):
+        place = f"patch {index + 1}" if several else name or "curve"
+        if not _is_curve(table):
+            raise ModelError(f"{place}: expected a curve, as the others are; keep surfaces in a model of their own")
+        called = _text(table.get("name", place), f"{place}: name")
+        if called in [curve.name for curve in curves]:
+            raise ModelError(f'patch "{called}": two curves have this name; give each its own')
+        curves.append(_curve(table, called, folder))
+    if len({curve.curve.points.shape[1] for curve in curves}) > 1:
+        raise ModelError("points: expected curves all in the plane or all in space, found both in one model")
+    return tuple(curves)
+
+
+def _is_curve(table: Any) -> bool:
+    return isinstance(table, dict) and cast(dict[str, Any], table).get("kind") == "curve"
+
+
+def _curve(keys: dict[str, Any], name: str, folder: Path | None) -> NamedCurve:
+    place = f'patch "{name}"'
+    try:
+        if isinstance(keys.get("points"), str):
+            keys = {**keys, "points": read_net(_beside(keys["points"], "points", folder))}
+        definition = CurveKind.model_validate(keys)
+        return NamedCurve(name, definition, definition.curve())
+    except ValidationError as error:
+        raise ModelError(f"{place}: {explain(error, CurveKind, keys)}") from None
+    except ValueError as error:
+        raise ModelError(f"{place}: {error}") from None
+
+
 def _patch(keys: dict[str, Any], name: str, folder: Path | None) -> Patch:
     place = f'patch "{name}"'
     kind = keys.get("kind")
     if not isinstance(kind, str) or kind not in kinds():
         found = "no kind" if kind is None else spell(kind)
-        hint = nearest(kind, kinds()) if isinstance(kind, str) else ""
-        raise ModelError(f"{place}: kind: expected one of {', '.join(kinds())}, got {found}{hint}")
+        hint = nearest(kind, [*kinds(), "curve"]) if isinstance(kind, str) else ""
+        raise ModelError(f"{place}: kind: expected one of {', '.join(kinds())}, curve, got {found}{hint}")
     form = kinds()[kind]
     try:
         keys = _with_nets(keys, form, folder)
@@ -285,13 +353,19 @@ def _with_nets(keys: dict[str, Any], form: type[Definition], folder: Path | None
         if not isinstance(result.get(key), str):
             continue
         file = Path(result[key])
-        if folder is None or file.is_absolute() or ".." in file.parts or file.suffix.lower() != ".csv":
-            raise ValueError(f"{key}: expected numbers, or the name of a .csv file beside the model, got {str(file)!r}")
-        rows = read_net(folder / file)
+        rows = read_net(_beside(file, key, folder))
         # A net of rows x columns is listed row by row, as many columns as the trigonometric basis has.
         columns = form.counts[key][-1] if len(form.counts[key]) == 2 else 0
         result[key] = in_rows(rows, columns, f"{key}: {file}") if columns else rows
     return result
+
+
+def _beside(name: str | Path, key: str, folder: Path | None) -> Path:
+    """Return the CSV file of this name beside the model; ValueError for any other name."""
+    file = Path(name)
+    if folder is None or file.is_absolute() or ".." in file.parts or file.suffix.lower() != ".csv":
+        raise ValueError(f"{key}: expected numbers, or the name of a .csv file beside the model, got {str(file)!r}")
+    return folder / file
 
 
 def _check_counts(value: Sequence[Any], counts: tuple[int, ...], place: str) -> None:
