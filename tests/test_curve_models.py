@@ -1,12 +1,13 @@
 """Models of curves: read, told, drawn, and refused where a surface is wanted."""
 
 import json
+from itertools import pairwise
 
 import numpy as np
 import pytest
-from cli_runner import quintrig as run
 
 import quintrig
+from cli_runner import quintrig as run
 from quintrig.model.model import Model
 from quintrig.model.starter import starter
 from quintrig.support.errors import ModelError
@@ -122,3 +123,29 @@ def test_the_schema_accepts_a_curve():
     jsonschema.validate({"kind": "curve", "points": POINTS}, schema)
     with pytest.raises(jsonschema.ValidationError):
         jsonschema.validate({"kind": "curve", "points": [[0]]}, schema)
+
+
+def test_join_writes_curves_that_share_curvature(model, tmp_path):
+    out = tmp_path / "joined.toml"
+    assert run("join", model, model, model, "--order", "G3", "--ratio", "0.8", "-o", out).code == 0
+    curves = [one.curve for one in quintrig.load(out).curves]
+    assert len(curves) == 3
+    for one, other in pairwise(curves):
+        assert one(1.0) == pytest.approx(other(0.0))
+        assert one.signed_curvature(1.0) == pytest.approx(other.signed_curvature(0.0), rel=1e-10)
+    assert run("plot", out, "-q", "curvature", "-o", tmp_path / "k.svg").code == 0
+    alone = run("join", model)
+    assert alone.code == 2
+    assert "two or more curves" in alone.err
+
+
+def test_new_curve_through_points(tmp_path):
+    (tmp_path / "p.csv").write_text("x,y\n" + "\n".join(f"{x},{y}" for x, y in POINTS))
+    out = tmp_path / "s.toml"
+    assert run("new", "curve", "--through", tmp_path / "p.csv", "--closed", "-o", out).code == 0
+    curves = [one.curve for one in quintrig.load(out).curves]
+    assert np.array([curve.points[0] for curve in curves]) == pytest.approx(np.array(POINTS))
+    assert curves[-1](1.0) == pytest.approx(curves[0](0.0))
+    wrong = run("new", "sphere", "--through", tmp_path / "p.csv", "-o", "-")
+    assert wrong.code == 2
+    assert "--through" in wrong.err

@@ -136,11 +136,28 @@ class Model:
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> Any:
         """Return the interactive view that a notebook shows; only the text where the extra ``jupyter`` is missing."""
-        return mime_bundle(self)
+        return {"text/plain": repr(self)} if self.curves else mime_bundle(self)
 
     def with_shape(self, shape: Sequence[float]) -> "Model":
         """Return the model with every patch's shape parameters replaced."""
+        self.refuse_curves()
         return replace(self, patches=tuple(patch.with_shape(shape) for patch in self.patches))
+
+    @staticmethod
+    def of_curves(curves: Sequence[Curve], name: str = "curves", unit: str = "") -> "Model":
+        """Return a model of quintic trigonometric or Bernstein curves, called curve 1, curve 2, ...; ModelError."""
+        tables = [
+            {
+                "kind": "curve",
+                "name": f"curve {index}",
+                "points": curve.points.tolist(),
+                "shape": [curve.alpha, curve.zeta],
+                "basis": curve.basis,
+                "unchecked_shape": curve.unchecked_shape,
+            }
+            for index, curve in enumerate(curves, 1)
+        ]
+        return Model.from_dict({"name": name, "patch": tables} | ({"unit": unit} if unit else {}))
 
     @staticmethod
     def from_dict(data: Mapping[str, Any], folder: Path | None = None) -> "Model":

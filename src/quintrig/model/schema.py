@@ -27,7 +27,7 @@ def json_schema() -> dict[str, Any]:
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "quintrig model",
-        "description": "Quintic trigonometric Bézier surfaces or curves; a net may also be the name of a CSV file beside it.",
+        "description": "Quintic trigonometric Bézier surfaces or curves; a CSV file beside it may hold a net.",
         "oneOf": [*alone, several],
     }
 

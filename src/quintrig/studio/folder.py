@@ -64,9 +64,9 @@ def checked(name: str, text: str, folder: Path | None = None) -> Model:
             _refuse_way_out(cast(dict[str, Any], data), folder)
         model = Model.from_dict(cast(Any, data), folder)
         model.refuse_curves()
-        return model
     except ModelError as error:
         raise ModelError(f"{name}: {error}") from None
+    return model
 
 
 def _refuse_way_out(keys: dict[str, Any], folder: Path) -> None:

@@ -20,7 +20,7 @@ class CurveKind(Definition):
     nets = ("points",)
     kind: Literal["curve"] = "curve"
     points: Outline | Polygon = Field(description="6 control points, all [x, y] or all [x, y, z]")
-    shape: Two = [0.0, 0.0]
+    shape: Two = Field(default=[0.0, 0.0], description="Shape parameters (α, ζ), each in [-4, 1]")
     close: Annotated[bool, Field(strict=True)] = Field(
         default=False, description="End in the first control point, which is then not given again as the last"
     )
