@@ -41,6 +41,10 @@ if TYPE_CHECKING:
     from quintrig.geometry.constructions import symmetric as symmetric
     from quintrig.geometry.constructions import tensor as tensor
     from quintrig.geometry.curve import Curve as Curve
+    from quintrig.geometry.curve_joins import interpolate as interpolate
+    from quintrig.geometry.curve_joins import join_curves as join_curves
+    from quintrig.geometry.curve_pieces import offset_curve as offset_curve
+    from quintrig.geometry.curve_pieces import split_curve as split_curve
     from quintrig.geometry.domain import grid as grid
     from quintrig.geometry.envelope import developable as developable
     from quintrig.geometry.exact import exact_surface as exact_surface
@@ -66,6 +70,8 @@ _HOME = {
     "quantities.classify": ("Thresholds",),
     "geometry.constructions": ("ruled", "swept", "swung", "symmetric", "tensor"),
     "geometry.curve": ("Curve",),
+    "geometry.curve_joins": ("interpolate", "join_curves"),
+    "geometry.curve_pieces": ("offset_curve", "split_curve"),
     "geometry.envelope": ("developable",),
     "geometry.exact": ("exact_surface",),
     "developables.regression": ("regression",),

@@ -49,7 +49,7 @@ def check(
         if index:
             session.emit("")
         try:
-            warnings += _tell(path, session.load(path, whole=whole), console)
+            warnings += _tell(path, session.load_any(path, whole=whole), console)
         except ModelError as error:
             session.complain(str(error))
             mistakes += 1
@@ -66,6 +66,10 @@ def _tell(path: Path, model: "Model", console: "Console") -> int:
     console.print(
         f"[bold]{escape(printable(model.name))}[/bold]  [dim]{escape(printable(str(path)))}[/dim]", soft_wrap=True
     )
+    if model.curves:
+        from quintrig.cli.curves import tell_curve
+
+        return sum(tell_curve(curve, model, console) for curve in model.curves)
     return sum(_tell_patch(patch, model, console) for patch in model.patches) + _tell_seams(model, console)
 
 

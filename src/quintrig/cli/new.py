@@ -10,6 +10,7 @@ from quintrig.cli import session
 _EPILOG = session.examples(
     ("quintrig new swept", "writes swept.toml here"),
     ("quintrig new tensor -o models/bonnet.toml", "writes it under another name"),
+    ("quintrig new curve --through points.csv --closed", "curves through points, with continuous curvature"),
     ("quintrig new developable -o -", "prints it"),
 )
 
@@ -24,8 +25,8 @@ def new(
         str,
         typer.Argument(
             metavar="KIND",
-            help="tensor, symmetric, swept, swung, ruled, developable, nurbs, or a reference surface such as sphere; "
-            "a wrong one lists them all.",
+            help="tensor, symmetric, swept, swung, ruled, developable, nurbs, curve, or a reference surface such as "
+            "sphere; a wrong one lists them all.",
             show_default=False,
         ),
     ],
@@ -34,6 +35,10 @@ def new(
         typer.Option("-o", "--output", metavar="FILE", help="File to write, KIND.toml by default; - for the screen."),
     ] = None,
     force: Annotated[bool, typer.Option("--force", help="Replace an existing file.")] = False,
+    through: Annotated[
+        Path | None, typer.Option(metavar="FILE.csv", help="Points, a row x,y or x,y,z each, for curves to go through.")
+    ] = None,
+    closed: Annotated[bool, typer.Option("--closed", help="Curves through points come back to the first.")] = False,
 ) -> None:
     """Write a starter model, valid and with comments that explain every key.
 
@@ -41,8 +46,25 @@ def new(
     """
     from quintrig.model.starter import starter
 
-    text = starter(kind, "Check it with: quintrig check FILE.toml")
+    if through is None and closed:
+        raise ValueError("--closed: expected --through FILE.csv beside it")
+    if through is not None and kind != "curve":
+        raise ValueError(f"--through: expected the kind curve, got {kind[:40]!r}")
+    remark = "Check it with: quintrig check FILE.toml"
+    text = starter(kind, remark) if through is None else _through(through, closed)
     target = output or Path(f"{kind}.toml")
     if target.suffix.lower() != ".toml" and str(target) != "-":
         raise ValueError(f"{target}: expected a name ending in .toml")
-    session.deliver(text, target, force=force)
+    session.deliver(text, target, through, force=force)
+
+
+def _through(file: Path, closed: bool) -> str:
+    """Return a model of the curves through the points of a file."""
+    from quintrig.geometry.curve_joins import interpolate
+    from quintrig.model.model import Model, read_net
+    from quintrig.model.toml import to_toml
+
+    rows = read_net(file)
+    if len({len(row) for row in rows}) != 1 or len(rows[0]) not in (2, 3):
+        raise ValueError(f"{file}: expected rows of x,y or of x,y,z, all alike")
+    return to_toml(Model.of_curves(interpolate(rows, closed), "Curve through points").to_dict())

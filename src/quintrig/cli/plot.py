@@ -73,9 +73,17 @@ def plot(
     """Draw a model in space, with true proportions, or as flat maps over its parameters.
 
     One picture a quantity, each with its scale; surface stands for the plain surface.
+
+    Of a model of curves, -q takes curve, comb, hull or curvature.
     """
+    loaded = session.load_any(model, face, whole)
+    if loaded.curves:
+        from quintrig.cli.curves import draw_curves
+        from quintrig.figure.style import STANDARD
+
+        draw_curves(loaded, quantities, output, patch, width, dpi, style or STANDARD)
+        return
     keys = read_keys(quantities)
-    loaded = session.load(model, face, whole)
     chosen = session.patches(loaded, patch)
     if shape is not None:
         values = session.numbers(shape, None, "--shape")

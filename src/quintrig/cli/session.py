@@ -21,10 +21,17 @@ if TYPE_CHECKING:
 
 
 def load(path: Path, face: int | None = None, whole: bool = False) -> "Model":
-    """Read a model file, or a CAD file, all its faces or one; ModelError or QuintrigError in one line.
+    """Read a model file of surfaces, or a CAD file, all its faces or one; ModelError or QuintrigError in one line.
 
     ``whole`` takes all of the surfaces that trimmed faces are cut from.
     """
+    model = load_any(path, face, whole)
+    model.refuse_curves()
+    return model
+
+
+def load_any(path: Path, face: int | None = None, whole: bool = False) -> "Model":
+    """Read what ``load`` reads, or a model of curves."""
     model = _load(path, face)
     return replace(model, patches=tuple(patch.carrier for patch in model.patches)) if whole else model
 

@@ -50,6 +50,7 @@ def export(model: Model, path: str | Path, options: ExportOptions | None = None)
     Raises QuintrigError for an unknown suffix, a missing extra or an unwritable target, ValueError where the model
     cannot be written in this format.
     """
+    model.refuse_curves()
     path, options = Path(path), options or ExportOptions()
     suffix = path.suffix.lower()
     replaced = tuple(one for one in targets(model, path) if one.is_file())

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 from quintrig.basis.functions import Functions
 from quintrig.basis.pairs import check_count, families, pair, parameters
 from quintrig.basis.registry import DEFAULT, Choice
+from quintrig.geometry.curve_queries import Queries
 from quintrig.geometry.origin import local_origin
 from quintrig.support.arrays import FloatArray, frozen, number, parameter, whole
 from quintrig.support.pickled import Pickled
@@ -18,7 +19,7 @@ _SINGULAR = 1e-13  # speed below this share of the polygon's length: the tangent
 
 
 @dataclass(frozen=True, eq=False)
-class Curve(Pickled):
+class Curve(Queries, Pickled):
     """z(t) = Σ P_i f_i(t), t in [0, 1] (thesis eq. 2.1).
 
     ``points`` is (6, 2) or (6, 3), as many as another ``basis`` has functions; ``alpha`` and ``zeta`` are in [-4, 1]
@@ -85,7 +86,7 @@ class Curve(Pickled):
 
     def curvature(self, t: ArrayLike) -> FloatArray:
         """Return the curvature |z' x z''| / |z'|³ >= 0, shape t.shape, length⁻¹; NaN where the speed vanishes."""
-        factor, first, second = self._hodograph(t, 2)
+        factor, first, second = self.hodograph(t, 2)
         return _norm(_cross(first, second)) / (factor * self._speed(first, factor) ** 3)
 
     def signed_curvature(self, t: ArrayLike) -> FloatArray:
@@ -95,13 +96,13 @@ class Curve(Pickled):
         """
         if self.points.shape[1] != 2:
             raise ValueError("signed_curvature: expected a plane curve (n x 2 points); in space use curvature")
-        factor, first, second = self._hodograph(t, 2)
+        factor, first, second = self.hodograph(t, 2)
         turn = first[..., 0] * second[..., 1] - first[..., 1] * second[..., 0]
         return turn / (factor * self._speed(first, factor) ** 3)
 
     def torsion(self, t: ArrayLike) -> FloatArray:
         """Return the torsion det(z', z'', z''') / |z' x z''|², length⁻¹; NaN where curvature or speed vanishes."""
-        factor, first, second, third = self._hodograph(t, 3)
+        factor, first, second, third = self.hodograph(t, 3)
         factor = np.where(np.isnan(self._speed(first, factor)), np.nan, factor)
         normal = _cross(first, second)
         square = (normal**2).sum(axis=-1)
@@ -141,7 +142,7 @@ class Curve(Pickled):
         ``scale`` is in length²; "auto" makes the longest tooth a quarter of the control polygon's length. NaN where the
         speed vanishes.
         """
-        point, (factor, first, second) = self(t), self._hodograph(t, 2)
+        point, (factor, first, second) = self(t), self.hodograph(t, 2)
         speed = self._speed(first, factor)[..., None]
         bend = second / speed**2 - first * ((first * second).sum(axis=-1, keepdims=True) / speed**4)
         bend = bend / np.where(np.isnan(speed), np.nan, factor[..., None])
@@ -154,7 +155,7 @@ class Curve(Pickled):
     def _polygon(self) -> float:
         return float(_norm(np.diff(self.points, axis=0)).sum())
 
-    def _hodograph(self, t: ArrayLike, order: int) -> tuple[FloatArray, ...]:
+    def hodograph(self, t: ArrayLike, order: int) -> tuple[FloatArray, ...]:
         """Return f, R and derivatives of R, ``order`` + 1 arrays, with z' = f R.
 
         f is sin or cos where the curve stands still at an end, else 1. Beside such an end the derivatives of z are

@@ -9,9 +9,11 @@ from pydantic import ValidationError
 
 from quintrig.basis.library import Entry
 from quintrig.basis.registry import bases
+from quintrig.geometry.curve import Curve
 from quintrig.geometry.surface import Surface
 from quintrig.model.explain import HEADER, explain, spell
 from quintrig.model.held import Held, held
+from quintrig.model.kinds.curve import CurveKind
 from quintrig.model.kinds.definition import Definition
 from quintrig.model.kinds.recognise import Bare, recognised
 from quintrig.model.kinds.registry import kinds
@@ -106,18 +108,29 @@ class Patch:
 
 
 @dataclass(frozen=True, eq=False)
+class NamedCurve:
+    """One curve of a model: its name, what the file said of it, and the curve built from that."""
+
+    name: str
+    definition: CurveKind
+    curve: Curve
+
+
+@dataclass(frozen=True, eq=False)
 class Model:
-    """A model file: name, unit of length (empty: plain numbers), patches, and which sides are held together."""
+    """A model file: name, unit of length (empty: plain numbers), patches with sides held together, or curves."""
 
     name: str
     unit: str
     patches: tuple[Patch, ...]
     held: tuple[Held, ...] = ()
+    curves: tuple[NamedCurve, ...] = ()
 
     def __repr__(self) -> str:
         """Return one line: name, unit and patches."""
-        kinds = ", ".join(f"{patch.name!r} ({patch.kind})" for patch in self.patches[:4])
-        more = f" and {len(self.patches) - 4} more" if len(self.patches) > 4 else ""
+        parts = [(patch.name, patch.kind) for patch in self.patches] + [(curve.name, "curve") for curve in self.curves]
+        kinds = ", ".join(f"{name!r} ({kind})" for name, kind in parts[:4])
+        more = f" and {len(parts) - 4} more" if len(parts) > 4 else ""
         return f"<Model {self.name!r} in {self.unit or 'plain numbers'}: {kinds}{more}>"
 
     @property
@@ -127,6 +140,7 @@ class Model:
 
     def patch(self, name: str | None = None) -> Patch:
         """Return a patch by name, or the only one; ModelError naming those there are."""
+        self.refuse_curves()
         known = [patch.name for patch in self.patches]
         if name is None and len(self.patches) == 1:
             return self.patches[0]
@@ -142,9 +156,17 @@ class Model:
             )
         return self.patches[known.index(name)]
 
+    def refuse_curves(self) -> None:
+        """Raise ModelError for a model of curves, which has no surface."""
+        if self.curves:
+            raise ModelError(
+                f"model {self.name!r}: expected a surface, found curves; quintrig check and plot read curves, and a "
+                "swept or ruled model makes a surface of them"
+            )
+
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> Any:
         """Return the interactive view that a notebook shows; only the text where the extra ``jupyter`` is missing."""
-        return mime_bundle(self)
+        return {"text/plain": repr(self)} if self.curves else mime_bundle(self)
 
     def joins(self, **limits: Any) -> Any:
         """Return which edges of the patches meet, how smoothly, and which are free.
@@ -157,6 +179,7 @@ class Model:
 
     def with_shape(self, shape: Sequence[float]) -> "Model":
         """Return the model with every patch's shape parameters replaced."""
+        self.refuse_curves()
         return replace(self, patches=tuple(patch.with_shape(shape) for patch in self.patches))._carried()
 
     def with_patch(self, patch: Patch) -> "Model":
@@ -167,6 +190,22 @@ class Model:
     def _carried(self) -> "Model":
         """Return the model with every side that is held moved to what it is held to."""
         return call("hold", self) if self.held else self
+
+    @staticmethod
+    def of_curves(curves: Sequence[Curve], name: str = "curves", unit: str = "") -> "Model":
+        """Return a model of quintic trigonometric or Bernstein curves, called curve 1, curve 2, ...; ModelError."""
+        tables = [
+            {
+                "kind": "curve",
+                "name": f"curve {index}",
+                "points": curve.points.tolist(),
+                "shape": list(curve.functions.parameters.values()),
+                "basis": curve.basis if isinstance(curve.basis, str) else str(getattr(curve.basis, "name", "")),
+                "unchecked_shape": curve.unchecked_shape,
+            }
+            for index, curve in enumerate(curves, 1)
+        ]
+        return Model.from_dict({"name": name, "patch": tables} | ({"unit": unit} if unit else {}))
 
     @staticmethod
     def from_dict(data: Mapping[str, Any], folder: Path | None = None) -> "Model":
@@ -187,6 +226,10 @@ class Model:
             raise ModelError(f"unit: expected one of {', '.join(UNITS)}, got {unit!r}; {hint}")
         name = _text(data.pop("name", ""), "name")
         tables = data.pop("join", None)
+        if curves := _curves(data, name, folder):
+            if tables is not None:
+                raise ModelError("join: holds sides of surfaces together; curves are joined by join_curves")
+            return Model(name or curves[0].name, unit, (), curves=curves)
         if "patch" in data:
             patches = _several(data, _with_bases(data, folder).get("bases", {}), folder)
         else:
@@ -208,9 +251,13 @@ class Model:
         header: dict[str, Any] = {"schema": SCHEMA_VERSION, "name": self.name}
         if self.unit:
             header["unit"] = self.unit
+        parts = self.patches or self.curves
         dumps = [
-            {"kind": patch.kind, **patch.definition.model_dump(exclude_defaults=True, exclude={"kind", "name"})}
-            for patch in self.patches
+            {
+                "kind": getattr(part.definition, "kind", ""),
+                **part.definition.model_dump(exclude_defaults=True, exclude={"kind", "name"}),
+            }
+            for part in parts
         ]
         if len(dumps) == 1:
             return header | dumps[0]
@@ -218,7 +265,7 @@ class Model:
         if shared and all(one == shared[0] for one in shared):
             header["bases"] = shared[0]
             dumps = [{key: value for key, value in dump.items() if key != "bases"} for dump in dumps]
-        named = [{"name": patch.name} | dump for patch, dump in zip(self.patches, dumps, strict=True)]
+        named = [{"name": patch.name} | dump for patch, dump in zip(parts, dumps, strict=True)]
         joins = {"join": [rule.to_dict() for rule in self.held]} if self.held else {}
         return header | {"patch": named} | joins
 
@@ -323,13 +370,55 @@ def _several(data: dict[str, Any], bases: Any, folder: Path | None) -> tuple[Pat
     return tuple(patches)
 
 
+def _curves(data: dict[str, Any], name: str, folder: Path | None) -> tuple[NamedCurve, ...]:
+    """Return the curves of a model of curves; nothing for a model of surfaces."""
+    several = "patch" in data
+    tables: Any = data.get("patch") if several else [data]
+    if not isinstance(tables, list) or not any(_is_curve(table) for table in cast(list[Any], tables)):
+        return ()
+    shared = _with_bases(data, folder).get("bases") if several else None
+    key = next((key for key in data if key not in ("patch", "bases")), None) if several else None
+    if key is not None:
+        raise ModelError(f"unknown key {key!r} beside [[patch]] tables{nearest(key, HEADER)}; move it into a patch")
+    curves: list[NamedCurve] = []
+    for index, table in enumerate(cast(list[Any], tables)):
+        place = f"patch {index + 1}" if several else name or "curve"
+        if not _is_curve(table):
+            raise ModelError(f"{place}: expected a curve, as the others are; keep surfaces in a model of their own")
+        called = _text(table.get("name", place), f"{place}: name")
+        if called in [curve.name for curve in curves]:
+            raise ModelError(f'patch "{called}": two curves have this name; give each its own')
+        curves.append(_curve({"bases": shared, **table} if shared else table, called, folder))
+    if len({curve.curve.points.shape[1] for curve in curves}) > 1:
+        raise ModelError("points: expected curves all in the plane or all in space, found both in one model")
+    return tuple(curves)
+
+
+def _is_curve(table: Any) -> bool:
+    return isinstance(table, dict) and cast(dict[str, Any], table).get("kind") == "curve"
+
+
+def _curve(keys: dict[str, Any], name: str, folder: Path | None) -> NamedCurve:
+    place = f'patch "{name}"'
+    try:
+        if isinstance(keys.get("points"), str):
+            keys = {**keys, "points": read_net(_beside(keys["points"], "points", folder))}
+        definition = CurveKind.model_validate(_with_bases(keys, folder))
+        definition.check_basis()
+        return NamedCurve(name, definition, definition.curve())
+    except ValidationError as error:
+        raise ModelError(f"{place}: {explain(error, CurveKind, keys)}") from None
+    except ValueError as error:
+        raise ModelError(f"{place}: {error}") from None
+
+
 def _patch(keys: dict[str, Any], name: str, folder: Path | None) -> Patch:
     place = f'patch "{name}"'
     kind = keys.get("kind")
     if not isinstance(kind, str) or kind not in kinds():
         found = "no kind" if kind is None else spell(kind)
-        hint = nearest(kind, kinds()) if isinstance(kind, str) else ""
-        raise ModelError(f"{place}: kind: expected one of {', '.join(kinds())}, got {found}{hint}")
+        hint = nearest(kind, [*kinds(), "curve"]) if isinstance(kind, str) else ""
+        raise ModelError(f"{place}: kind: expected one of {', '.join(kinds())}, curve, got {found}{hint}")
     form = kinds()[kind]
     try:
         keys = _with_nets(_with_bases(keys, folder), form, folder)
@@ -354,9 +443,7 @@ def _with_nets(keys: dict[str, Any], form: type[Definition], folder: Path | None
         if not isinstance(result.get(key), str):
             continue
         file = Path(result[key])
-        if folder is None or file.is_absolute() or ".." in file.parts or file.suffix.lower() != ".csv":
-            raise ValueError(f"{key}: expected numbers, or the name of a .csv file beside the model, got {str(file)!r}")
-        rows = read_net(folder / file)
+        rows = read_net(_beside(file, key, folder))
         # A net of rows x columns is listed row by row, as many columns as the basis in v has functions.
         columns = _columns(keys, form.counts[key][-1]) if len(form.counts[key]) == 2 else 0
         result[key] = in_rows(rows, columns, f"{key}: {file}") if columns else rows
@@ -395,6 +482,14 @@ def load_bases(path: Path) -> dict[str, Any]:
         return tables_of(parse(text, path.suffix.lower()))
     except ValueError as error:
         raise ModelError(f"{path}: {error}") from None
+
+
+def _beside(name: str | Path, key: str, folder: Path | None) -> Path:
+    """Return the CSV file of this name beside the model; ValueError for any other name."""
+    file = Path(name)
+    if folder is None or file.is_absolute() or ".." in file.parts or file.suffix.lower() != ".csv":
+        raise ValueError(f"{key}: expected numbers, or the name of a .csv file beside the model, got {str(file)!r}")
+    return folder / file
 
 
 def _check_counts(value: Sequence[Any], counts: tuple[int, ...], place: str) -> None:

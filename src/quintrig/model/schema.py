@@ -4,6 +4,7 @@ from typing import Any
 
 from quintrig.basis.registry import bases
 from quintrig.model.held import ORDERS, SIDES
+from quintrig.model.kinds.curve import CurveKind
 from quintrig.model.kinds.definition import Definition
 from quintrig.model.kinds.registry import kinds
 from quintrig.model.model import SCHEMA_VERSION, UNITS
@@ -35,7 +36,7 @@ def json_schema() -> dict[str, Any]:
         "name": {"type": "string", "maxLength": 200, "description": "Name of the model"},
         "unit": {"enum": list(UNITS), "description": "Unit of length; leave it out for plain numbers"},
     }
-    forms = [_form(form) for form in kinds().values()]
+    forms = [_form(form) for form in (*kinds().values(), CurveKind)]
     alone = [form | {"properties": header | form["properties"]} for form in forms]
     several = {
         "title": "Several patches",
@@ -52,7 +53,7 @@ def json_schema() -> dict[str, Any]:
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "quintrig model",
-        "description": "Quintic trigonometric Bézier surfaces; a net may also be the name of a CSV file beside it.",
+        "description": "Quintic trigonometric Bézier surfaces or curves; a CSV file beside it may hold a net.",
         "oneOf": [*alone, several],
     }
 

@@ -6,6 +6,7 @@ The comments are the descriptions of the keys in ``definition``, so that there i
 import textwrap
 from typing import Any
 
+from quintrig.model.kinds.curve import CurveKind
 from quintrig.model.kinds.definition import Definition
 from quintrig.model.kinds.registry import kinds
 from quintrig.model.model import SCHEMA_VERSION, UNITS
@@ -17,15 +18,16 @@ _WIDTH = 100
 
 def starter(kind: str, remark: str = "") -> str:
     """Return a valid, commented TOML model of this kind, with a remark on top; ValueError with the nearest kind."""
-    if kind not in kinds():
-        raise ValueError(f"kind: expected one of {', '.join(kinds())}, got {kind!r}{nearest(kind, kinds())}")
-    form = kinds()[kind]
+    known: dict[str, type[Definition]] = {**kinds(), "curve": CurveKind}
+    if kind not in known:
+        raise ValueError(f"kind: expected one of {', '.join(known)}, got {kind!r}{nearest(kind, known)}")
+    form = known[kind]
     values = form.starter
     lines = [
         *_comment(f"{_first_line(form)} {remark}"),
         "",
         f"schema = {SCHEMA_VERSION}",
-        f'name = "My {kind.replace("_", " ")}{" surface" if form.nets else ""}"',
+        f'name = "My {kind.replace("_", " ")}{" surface" if form.nets and kind != "curve" else ""}"',
         *_comment(f"Unit of length, one of {', '.join(UNITS)}; leave it out for plain numbers."),
         'unit = "mm"',
         f'kind = "{kind}"',

@@ -58,6 +58,7 @@ def write_report(
     ``grid`` points a side are classified, compared and searched for extremes. The page is written whole or not at all;
     QuintrigError where it cannot be written, ValueError for fewer than 2 points.
     """
+    model.refuse_curves()
     target = _target(out)
     source = to_toml(model.to_dict())  # before all the work where it cannot be written
     thresholds = thresholds or Thresholds()

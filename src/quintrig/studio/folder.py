@@ -61,9 +61,11 @@ def checked(name: str, text: str, folder: Path | None = None) -> Model:
         data = parse(text, suffix)
         if folder is not None and isinstance(data, dict):
             _refuse_way_out(cast(dict[str, Any], data), folder)
-        return Model.from_dict(cast(Any, data), folder)
+        model = Model.from_dict(cast(Any, data), folder)
+        model.refuse_curves()
     except ModelError as error:
         raise ModelError(f"{name}: {error}") from None
+    return model
 
 
 def _refuse_way_out(keys: dict[str, Any], folder: Path) -> None:
