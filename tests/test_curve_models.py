@@ -47,7 +47,7 @@ def test_close_and_flip():
     ("keys", "message"),
     [
         ({"points": POINTS[:4]}, "6 control points"),
-        ({"points": POINTS, "close": True}, "expected 5 with close"),
+        ({"points": POINTS, "close": True}, "found 7; close = true adds the first once more"),
         ({"points": POINTS, "shape": [2, 0]}, "alpha"),
         ({"points": [*POINTS[:5], [1, 2, 3]]}, "points"),
         ({}, "points"),

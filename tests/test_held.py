@@ -6,10 +6,10 @@ from dataclasses import replace
 import jsonschema
 import numpy as np
 import pytest
-from quintrig.studio.merge import merged, whole
 
 import quintrig
 from cli_runner import quintrig as run
+from quintrig.model.save import merged, to_json
 from quintrig.model.schema import json_schema
 from quintrig.model.toml import to_toml
 from quintrig.support.parsing import parse
@@ -63,8 +63,8 @@ def test_what_is_written_is_read_back_the_same(tmp_path):
     model = quintrig.Model.from_dict(keys(*CHAIN))
     again = quintrig.Model.from_dict(model.to_dict())
     assert again.to_dict() == model.to_dict()
-    for text in (to_toml(model.to_dict()), whole(model.to_dict()), merged("", model)):
-        assert quintrig.Model.from_dict(parse(text, ".toml")).to_dict() == model.to_dict()
+    for text, suffix in ((to_toml(model.to_dict()), ".toml"), (merged("", model), ".toml"), (to_json(model), ".json")):
+        assert quintrig.Model.from_dict(parse(text, suffix)).to_dict() == model.to_dict()
     jsonschema.validate(model.to_dict(), json_schema())
 
 

@@ -1,8 +1,7 @@
 """The live studio's server moves what a [[join]] holds when a model is saved: seen without a browser."""
 
-from quintrig.studio.merge import merged
-
 import quintrig
+from quintrig.model.save import merged
 from quintrig.model.toml import to_toml
 from quintrig.support.parsing import parse
 

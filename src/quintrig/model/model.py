@@ -404,8 +404,9 @@ def _curve(keys: dict[str, Any], name: str, folder: Path | None) -> NamedCurve:
         if isinstance(keys.get("points"), str):
             keys = {**keys, "points": read_net(_beside(keys["points"], "points", folder))}
         definition = CurveKind.model_validate(_with_bases(keys, folder))
+        curve = definition.curve()
         definition.check_basis()
-        return NamedCurve(name, definition, definition.curve())
+        return NamedCurve(name, definition, curve)
     except ValidationError as error:
         raise ModelError(f"{place}: {explain(error, CurveKind, keys)}") from None
     except ValueError as error:
