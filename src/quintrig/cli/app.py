@@ -6,6 +6,7 @@ import typer
 
 from quintrig import __version__
 from quintrig.cli import (
+    basis,
     check,
     compare,
     export,
@@ -65,6 +66,7 @@ def build() -> typer.Typer:
         import_,
         reproduce,
         sweep,
+        basis,
         schema,
     ):
         module.register(app)
