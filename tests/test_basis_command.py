@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
-from quintrig.analysis.basis_checks import check_basis
+from quintrig.analysis.basis_checks import check_basis, check_end_derivative
 from quintrig.basis.formulas import Basis, Parameter
 from quintrig.basis.library import LIBRARY
 from quintrig.cli.app import build
@@ -86,3 +86,53 @@ def test_command(tmp_path):
     assert text.count("<svg") == 1
     assert "<math" in text
     assert "\\frac" in text
+
+
+def test_the_thesis_misprinted_end_derivatives_are_caught():
+    quintic = next(one for one in LIBRARY if one.name == "trigonometric").basis()
+    first = ("-pi/2*(4+alpha)", "pi/2*(4+alpha)", "0", "0", "0", "0")
+    assert check_end_derivative(quintic, 0, 1, first).holds
+    right = ("pi^2*(3+2*alpha)", "-2*pi^2*(3+alpha)", "3*pi^2", "0", "0", "0")
+    assert check_end_derivative(quintic, 0, 2, right).holds
+    # Thesis eq. (2.3) as printed: π²(3P2 - 2P1)(3 + α) + P0(3 + 2α), and its mirror image.
+    printed = ("3+2*alpha", "-2*pi^2*(3+alpha)", "3*pi^2*(3+alpha)", "0", "0", "0")
+    found = check_end_derivative(quintic, 0, 2, printed)
+    assert not found.holds
+    assert found.at["i"] in (0, 2)
+    # For P2 it misses 3π²(2 + α) of a largest coefficient of 2π²(3 + α): 9/8 at α = 1, and most there or at α = -4.
+    values = np.array([-4.0, 1.0])
+    largest = np.max(np.abs([3 + 2 * values, 2 * (3 + values), 3 + 0 * values]), axis=0)
+    assert found.worst >= np.max(np.abs(3 * (2 + values)) / largest) - 1e-9
+    mirrored = ("0", "0", "0", "3*pi^2*(3+zeta)", "-2*pi^2*(3+zeta)", "3+2*zeta")
+    assert not check_end_derivative(quintic, 1, 2, mirrored).holds
+    with pytest.raises(ValueError, match="expected 6"):
+        check_end_derivative(quintic, 0, 2, ("1",))
+
+
+@pytest.mark.parametrize(
+    ("text", "word"),
+    [
+        ('[basis.mine]\nfunctions = ["__import__(t)", "t"]\n', "functions[0]"),
+        ('[basis.mine]\nfunctions = ["1/t", "t"]\n', "divides by zero"),
+        ('[basis.mine]\nfunctions = ["t"]\n', "2 to 64"),
+        ('[basis.cubic]\nfunctions = ["r", "t"]\n', "choose another name"),
+        ("[bases]\n", "[basis.NAME]"),
+        ("not toml", "mine.toml"),
+    ],
+)
+def test_bad_input_is_told_in_one_line(tmp_path, text, word):
+    from quintrig.support.errors import QuintrigError
+
+    file = tmp_path / "mine.toml"
+    file.write_text(text)
+    error = CliRunner().invoke(build(), ["basis", str(file)]).exception
+    assert isinstance(error, (ValueError, QuintrigError))
+    assert word in str(error)
+    assert "\n" not in str(error)
+
+
+@pytest.mark.parametrize("arguments", [["nope"], ["cubic", "--compare", "cubik"], ["cubic", "-o", "a.png"]])
+def test_bad_options_are_told_in_one_line(arguments):
+    error = CliRunner().invoke(build(), ["basis", *arguments]).exception
+    assert isinstance(error, ValueError)
+    assert "\n" not in str(error)

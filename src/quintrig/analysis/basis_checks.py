@@ -1,5 +1,6 @@
 """What a paper derives of its basis by hand, found by looking: partition of unity, sign, ends, symmetry, space."""
 
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
@@ -152,3 +153,20 @@ def _degree(basis: Basis) -> int | None:
         return family.rational_degree()
     except NotRationalError:
         return None
+
+
+def check_end_derivative(basis: Basis, end: int, order: int, claimed: Sequence[str]) -> Finding:
+    """Return whether claimed coefficients, formulas in the parameters, are those of a derivative at t = 0 or 1.
+
+    ``worst`` is the largest miss relative to the largest coefficient; ``at`` names the control point ``i`` too.
+    ValueError for another number of coefficients than functions, or formulas that cannot be read.
+    """
+    if len(claimed) != basis.size:
+        raise ValueError(f"coefficients: expected {basis.size}, one for each control point, found {len(claimed)}")
+    samples, time = Samples(basis), np.array([float(end)])
+    told = Samples(Basis(basis.name, tuple(claimed), basis.parameters)).derivatives(samples.values, time, 0)[0, :, 0]
+    true = samples.derivatives(samples.values, time, order)[order, :, 0]
+    off = np.abs(told - true) / np.maximum(np.abs(true).max(axis=-1, keepdims=True), 1e-300)
+    row, point = np.unravel_index(int(off.argmax()), off.shape)
+    worst = float(off[row, point])
+    return Finding(worst <= 1e-11, worst, {"t": float(end), "i": float(point)} | samples.named(int(row)))

@@ -1,6 +1,7 @@
 """What the space of a basis holds, and how well its functions span it."""
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -30,8 +31,7 @@ def spans(samples: Samples, *targets: FloatArray) -> Finding:
     wanted = np.stack(targets, axis=-1)
     missed: list[FloatArray] = []
     for functions in samples.functions:
-        fitted = np.linalg.lstsq(functions, wanted, rcond=None)[0]
-        missed.append(np.abs(functions @ fitted - wanted).max(axis=-1))
+        missed.append(_missed(functions, wanted))
     return samples.worst(np.stack(missed), _TIGHT)
 
 
@@ -42,7 +42,7 @@ def circles(samples: Samples) -> Finding:
     best = Finding(False, float("inf"), {})
     for rate in rates:
         wanted = np.stack([np.ones_like(TIMES), np.cos(rate * TIMES), np.sin(rate * TIMES)], axis=-1)
-        off = np.abs(functions @ np.linalg.lstsq(functions, wanted, rcond=None)[0] - wanted).max(axis=-1)
+        off = _missed(functions, wanted)
         worst = float(off.max())
         if worst < best.worst:
             at = {"t": float(TIMES[off.argmax()]), "omega": float(rate)} | samples.named(0)
@@ -65,3 +65,10 @@ def total_positivity(samples: Samples) -> Finding:
         worst.append(np.asarray(-least))
     found = samples.worst(np.array(worst), 1e-12)
     return replace(found, worst=-found.worst, how="sampled minors")
+
+
+def _missed(functions: FloatArray, wanted: FloatArray) -> FloatArray:
+    """Return by how much the best sums of functions miss what is wanted at each time, the largest of the columns."""
+    solver: Any = np.linalg.lstsq  # its stubs leave the result untyped
+    fitted: FloatArray = solver(functions, wanted, rcond=None)[0]
+    return np.abs(functions @ fitted - wanted).max(axis=-1)

@@ -35,7 +35,7 @@ def basis_page(bases: Sequence[Basis], reports: Sequence[BasisReport]) -> str:
     return str(Markup("\n").join(parts)) + "</html>\n"
 
 
-def latex(node: Node) -> str:
+def latex(node: Node) -> str:  # noqa: PLR0911 — one for each kind of node
     """Return a formula as LaTeX."""
     if isinstance(node, Number):
         return f"{node.value:.15g}"
