@@ -158,7 +158,7 @@ def _degree(basis: Basis) -> int | None:
 def check_end_derivative(basis: Basis, end: int, order: int, claimed: Sequence[str]) -> Finding:
     """Return whether claimed coefficients, formulas in the parameters, are those of a derivative at t = 0 or 1.
 
-    ``worst`` is the largest miss relative to the largest coefficient; ``at`` names the control point ``i`` too.
+    ``worst`` is the largest miss relative to the largest coefficient over the range; ``at`` names the control point ``i`` too.
     ValueError for another number of coefficients than functions, or formulas that cannot be read.
     """
     if len(claimed) != basis.size:
@@ -166,7 +166,7 @@ def check_end_derivative(basis: Basis, end: int, order: int, claimed: Sequence[s
     samples, time = Samples(basis), np.array([float(end)])
     told = Samples(Basis(basis.name, tuple(claimed), basis.parameters)).derivatives(samples.values, time, 0)[0, :, 0]
     true = samples.derivatives(samples.values, time, order)[order, :, 0]
-    off = np.abs(told - true) / np.maximum(np.abs(true).max(axis=-1, keepdims=True), 1e-300)
+    off = np.abs(told - true) / max(float(np.abs(true).max()), 1e-300)
     row, point = np.unravel_index(int(off.argmax()), off.shape)
     worst = float(off[row, point])
     return Finding(worst <= 1e-11, worst, {"t": float(end), "i": float(point)} | samples.named(int(row)))
