@@ -158,7 +158,8 @@ def _degree(basis: Basis) -> int | None:
 def check_end_derivative(basis: Basis, end: int, order: int, claimed: Sequence[str]) -> Finding:
     """Return whether claimed coefficients, formulas in the parameters, are those of a derivative at t = 0 or 1.
 
-    ``worst`` is the largest miss relative to the largest coefficient over the range; ``at`` names the control point ``i`` too.
+    ``worst`` is the largest miss relative to the largest coefficient over the range; ``at`` names the control
+    point ``i`` too.
     ValueError for another number of coefficients than functions, or formulas that cannot be read.
     """
     if len(claimed) != basis.size:

@@ -6,6 +6,7 @@ from markupsafe import Markup, escape
 
 from quintrig.analysis.basis_checks import PROPERTIES, BasisReport
 from quintrig.basis.formulas import Basis
+from quintrig.basis.functions import Functions
 from quintrig.basis.grammar import Binary, Call, Name, Node, Number, Power
 from quintrig.figure.curve import basis_functions
 from quintrig.figure.save import to_svg_text
@@ -15,6 +16,7 @@ _STYLE = """body{font:16px/1.5 system-ui,sans-serif;max-width:64rem;margin:2rem 
 table{border-collapse:collapse;font-size:.9rem}td,th{text-align:left;padding:.3rem .7rem;border-bottom:1px solid #ddd;
 vertical-align:top}.no{color:#a3210f;font-weight:600}svg{max-width:100%;height:auto}pre,.wide{overflow-x:auto}"""
 
+_MOST_SHOWN = 6  # parameters, the effect of which is drawn
 _GREEK = ("alpha", "beta", "gamma", "zeta", "kappa", "lambda", "rho", "theta", "pi")
 
 
@@ -74,6 +76,23 @@ def _name(name: str) -> str:
     return f"{symbol}_{{{digits}}}" if digits else symbol
 
 
+def _effect(basis: Basis) -> Markup:
+    """Return the picture of the functions at both ends of each parameter's range, the others at their start."""
+    families: list[Functions] = []
+    titles: list[str] = []
+    for i, one in enumerate(basis.parameters[:_MOST_SHOWN]):
+        for inset, end in enumerate((one.low, one.high)):
+            other = one.high + one.low - end
+            value = end + 1e-3 * (other - end) * one.open[inset]
+            families.append(basis.family([*basis.starts[:i], value, *basis.starts[i + 1 :]]))
+            titles.append(f"{one.name} = {value:.4g}")
+    if not families:
+        return Markup("")
+    return Markup("<p>The effect of each parameter.</p>{}").format(
+        Markup(_svg(to_svg_text(basis_functions(families, titles))))
+    )
+
+
 def _svg(text: str) -> str:
     return text[text.index("<svg") :]
 
@@ -112,9 +131,14 @@ def _one(basis: Basis, report: BasisReport) -> Markup:
         for order, row in enumerate(orders[1:], 1):
             terms = " ".join(f"{c:+.6g} P{i}" for i, c in enumerate(row) if abs(c) > 1e-9) or "0"
             rows.append(Markup("<li>derivative {} at t = {}: {}</li>").format(order, end, terms))
+    effect = _effect(basis)
     source = "\n".join(one + r" \\" for one in written)
-    return Markup("<h2>{}</h2><p>{}</p><p>r = 1 - t, s = sin(πt/2), c = cos(πt/2), a = 1 - s, b = 1 - c.</p>{}").format(
-        basis.name, basis.source, shown
-    ) + Markup("<ul>{}</ul><details><summary>LaTeX</summary><pre>{}</pre></details>").format(
-        Markup("").join(rows), escape(source)
+    return (
+        Markup("<h2>{}</h2><p>{}</p><p>r = 1 - t, s = sin(πt/2), c = cos(πt/2), a = 1 - s, b = 1 - c.</p>{}").format(
+            basis.name, basis.source, shown
+        )
+        + effect
+        + Markup("<ul>{}</ul><details><summary>LaTeX</summary><pre>{}</pre></details>").format(
+            Markup("").join(rows), escape(source)
+        )
     )
