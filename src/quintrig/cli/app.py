@@ -6,6 +6,7 @@ import typer
 
 from quintrig import __version__
 from quintrig.cli import (
+    basis,
     check,
     compare,
     export,
@@ -69,6 +70,7 @@ def build() -> typer.Typer:
         joins,
         reproduce,
         sweep,
+        basis,
         schema,
     ):
         module.register(app)
