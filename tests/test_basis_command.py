@@ -83,7 +83,7 @@ def test_command(tmp_path):
     page = tmp_path / "page.html"
     assert run(build(), ["basis", str(file), "--compare", "cubic,c_bezier", "-o", str(page)]).exit_code == 0
     text = page.read_text()
-    assert text.count("<svg") == 3  # all of them, and the effect of the parameters of two
+    assert text.count("<svg") == 5  # all, the curves of 3 and of 4 points, the effect of the parameters of two
     assert "<math" in text
     assert "\\frac" in text
 

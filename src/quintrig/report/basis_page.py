@@ -2,14 +2,16 @@
 
 from collections.abc import Sequence
 
+import numpy as np
 from markupsafe import Markup, escape
 
 from quintrig.analysis.basis_checks import PROPERTIES, BasisReport
 from quintrig.basis.formulas import Basis
 from quintrig.basis.functions import Functions
 from quintrig.basis.grammar import Binary, Call, Name, Node, Number, Power
-from quintrig.figure.curve import basis_functions
+from quintrig.figure.curve import basis_functions, plane_curves
 from quintrig.figure.save import to_svg_text
+from quintrig.geometry.curve import Curve
 from quintrig.report.mathml import mathml
 
 _STYLE = """body{font:16px/1.5 system-ui,sans-serif;max-width:64rem;margin:2rem auto;padding:0 1rem;color:#222}
@@ -31,6 +33,7 @@ def basis_page(bases: Sequence[Basis], reports: Sequence[BasisReport]) -> str:
             Markup(_STYLE), title
         ),
         Markup("<p>The functions at the starting values of the parameters.</p>{}").format(picture),
+        *_curves(bases),
         Markup("<h2>What holds</h2><div class='wide'>{}</div>").format(_properties(reports)),
     ]
     parts += [_one(*pair) for pair in zip(bases, reports, strict=True)]
@@ -74,6 +77,18 @@ def _name(name: str) -> str:
     symbol = "\\lambda" if stem == "lam" else f"\\{stem}" if stem in _GREEK else stem
     symbol = symbol if len(stem) == 1 or symbol != stem else f"\\mathrm{{{stem.replace('_', '')}}}"
     return f"{symbol}_{{{digits}}}" if digits else symbol
+
+
+def _curves(bases: Sequence[Basis]) -> list[Markup]:
+    """Return the pictures of the curves on one polygon for each number of control points."""
+    shown: list[Markup] = []
+    for size in sorted({one.size for one in bases if one.size > 2}):  # noqa: PLR2004 — two points make a segment
+        same = [one for one in bases if one.size == size]
+        x = np.linspace(0.0, 1.0, size)
+        points = np.stack([x, np.where(np.arange(size) % (size - 1) > 0, 0.6 + 0.2 * x, 0.0)], axis=-1)
+        picture = plane_curves([Curve(points, basis=one.family()) for one in same], [one.name for one in same])
+        shown.append(Markup("<p>Curves on one polygon.</p>{}").format(Markup(_svg(to_svg_text(picture)))))
+    return shown
 
 
 def _effect(basis: Basis) -> Markup:
