@@ -74,12 +74,15 @@ def test_command(tmp_path):
     assert data["size"] == 4
     assert set(data["parameters"]) == {"alpha", "zeta"}
     for key in ("partition_of_unity", "non_negative", "end_points"):
-        assert data[key]["holds"] is True
-        assert "t" in data[key]["at"]
+        assert data[key] is True
+        assert {"worst", "at", "how"} <= set(data["found"][key])
+        assert "t" in data["found"][key]["at"]
     file = tmp_path / "paper.toml"
     file.write_text('[basis.mine]\nfunctions = ["r^2", "2*t*r", "1.1*t^2"]\n')
     data = json.loads(run(build(), ["basis", str(file), "--json"]).stdout)
-    assert data["partition_of_unity"]["holds"] is False
+    assert data["partition_of_unity"] is False
+    assert data["found"]["partition_of_unity"]["worst"] == pytest.approx(0.1)
+    assert data["found"]["partition_of_unity"]["at"]["t"] == 1.0
     page = tmp_path / "page.html"
     assert run(build(), ["basis", str(file), "--compare", "cubic,c_bezier", "-o", str(page)]).exit_code == 0
     text = page.read_text()

@@ -51,10 +51,12 @@ class BasisReport:
     condition: float
 
     def as_json(self) -> dict[str, Any]:
-        """Return plain data, each property by its name."""
+        """Return plain data: each property true or false by its name, and under ``found`` how far off and where."""
         data = asdict(self)
-        findings = data.pop("findings")
-        return {key: data[key] for key in ("name", "source", "size", "parameters")} | findings | data
+        found = data.pop("findings")
+        truth = {key: finding.pop("holds") for key, finding in found.items()}
+        head = {key: data[key] for key in ("name", "source", "size", "parameters")}
+        return head | truth | {"found": found} | data
 
 
 def check_basis(basis: Basis) -> BasisReport:

@@ -82,7 +82,7 @@ def _name(name: str) -> str:
 def _curves(bases: Sequence[Basis]) -> list[Markup]:
     """Return the pictures of the curves on one polygon for each number of control points."""
     shown: list[Markup] = []
-    for size in sorted({one.size for one in bases if one.size > 2}):  # noqa: PLR2004 — two points make a segment
+    for size in sorted({one.size for one in bases if one.size > 2}):
         same = [one for one in bases if one.size == size]
         x = np.linspace(0.0, 1.0, size)
         points = np.stack([x, np.where(np.arange(size) % (size - 1) > 0, 0.6 + 0.2 * x, 0.0)], axis=-1)
