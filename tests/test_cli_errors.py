@@ -57,7 +57,7 @@ MISTAKES = [
     (["table", BOOT, "-o", "table.xlsx"], "table.xlsx: expected a name ending in .csv, .json, .md, .tex"),
     (["plot", BOOT, "-o", "p.png", "-q", "normal"], "'normal' is a vector"),
     (["plot", BOOT, "-o", "p.png", "-q", "men"], "unknown quantity 'men'; did you mean 'mean'?"),
-    (["plot", BOOT, "-o", "p.gif"], "p.gif: expected a file name ending in .png, .svg or .pdf"),
+    (["plot", BOOT, "-o", "p.gif"], "p.gif: expected a file name ending in .png, .svg, .pdf, .eps"),
     (["plot", BOOT, "-o", "p.png", "--view", "front"], "--view: expected iso, side, back, top, all, flat or AZIMUTH"),
     (["plot", BOOT, "-o", "p.png", "--view", "10,95"], "--view: expected an azimuth within ±360"),
     (["plot", BOOT, "-o", "p.png", "--view", "nan,5"], "--view: expected an azimuth within ±360"),

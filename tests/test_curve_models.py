@@ -92,7 +92,6 @@ def test_plot_draws_a_curve(model, tmp_path, what):
 def test_commands_of_surfaces_refuse_a_curve_in_one_line(model, tmp_path):
     for words in (
         ["report", str(model), str(tmp_path / "r")],
-        ["table", str(model)],
         ["export", str(model), str(tmp_path / "c.step")],
         ["compare", str(model)],
         ["flatten", str(model), str(tmp_path / "c.svg")],
@@ -149,3 +148,21 @@ def test_new_curve_through_points(tmp_path):
     wrong = run("new", "sphere", "--through", tmp_path / "p.csv", "-o", "-")
     assert wrong.code == 2
     assert "--through" in wrong.err
+
+
+def test_a_table_of_a_curve_has_what_the_curve_says(tmp_path):
+    file = tmp_path / "arc.toml"
+    file.write_text('kind = "curve"\nunit = "mm"\npoints = [[0, 0], [1, 2], [2, 3], [4, 3], [5, 1], [6, 0]]\n')
+    told = run("table", file, "--grid", "5", "--format", "json")
+    assert told.code == 0, told.err
+    rows = json.loads(told.out)["rows"]
+    curve = quintrig.load(file).curves[0].curve
+    for row in rows:
+        assert [row["x"], row["y"]] == pytest.approx(curve(row["t"]).tolist(), abs=1e-14)
+        assert row["curvature"] == pytest.approx(float(curve.signed_curvature(row["t"])))
+        assert row["s"] == pytest.approx(curve.length(0.0, row["t"]), abs=1e-10)
+        assert np.hypot(row["tangent_x"], row["tangent_y"]) == pytest.approx(1.0)
+    for words, said in ((("--grid", "5x5"), "--grid: expected a number"), (("--at", "0.5,0.5"), "--at: expected 1")):
+        told = run("table", file, *words)
+        assert (told.code, told.err.count("\n")) == (2, 1)
+        assert said in told.err

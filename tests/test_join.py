@@ -172,7 +172,7 @@ def test_swept_patches_stay_swept(order):
 
 def test_what_cannot_stay_of_its_kind_says_so_and_is_made_a_tensor_patch_on_request():
     two = model(tensor("a", net(0, 1)), SWEPT | {"name": "b", "section": [[100 + 20 * i, 0, 0] for i in range(6)]})
-    with pytest.raises(ValueError, match="--convert"):
+    with pytest.raises(ValueError, match="convert=True"):
         quintrig.join(two, "a:u1", "b:u0", "G1")
     done = attach(two, "a:u1", "b:u0", "G1", convert=True)
     assert done.model.patch("b").kind == "tensor"

@@ -94,7 +94,7 @@ def test_classes_of_the_height_and_of_points_do_not_turn():
         assert [mirrored(key, code) for code in range(len(names))] == list(range(len(names)))
 
 
-@pytest.mark.parametrize(("word", "meant"), [("gausian", "gaussian"), ("curvednes", "curvedness"), ("kk", "K")])
+@pytest.mark.parametrize(("word", "meant"), [("gausian", "gaussian"), ("curvednes", "curvedness"), ("mena", "mean")])
 def test_unknown_quantity_names_the_nearest(word, meant):
     with pytest.raises(ValueError, match=f"unknown quantity '{word}'; did you mean '{meant}'"):
         quantity(word)

@@ -75,9 +75,8 @@ class _Writer:
             results = {"+": first + second, "-": first - second, "*": first * second, "/": first / second}
             return float(results[node.sign])
         if isinstance(y, float):  # x is a series
-            assert isinstance(x, int)
             amounts = {"+": y, "-": -y, "*": y, "/": float(np.float64(1.0) / y)}
-            return self.put("scale" if node.sign in "*/" else "shift", x, number=amounts[node.sign])
+            return self.put("scale" if node.sign in "*/" else "shift", int(x), number=amounts[node.sign])
         if isinstance(x, float):
             moved = self.put("scale", y, number=-1.0) if node.sign == "-" else y
             return self.put({"/": "invert", "*": "scale"}.get(node.sign, "shift"), moved, number=x)

@@ -11,6 +11,8 @@ from quintrig.cli.options import Face, Listing, ModelFile, WhichPatch, Whole
 from quintrig.cli.show import print_table
 
 if TYPE_CHECKING:
+    from quintrig.analysis.table import Table
+    from quintrig.model.model import Model
     from quintrig.support.arrays import FloatArray
 
 _MOST = 250_000  # points: a table keeps all its cells in memory; quintrig grid does not
@@ -33,19 +35,18 @@ def register(app: typer.Typer) -> None:
 def table(
     model: ModelFile,
     at: Annotated[
-        list[str] | None, typer.Option(metavar="U,V", help="A point, u and v in the domain from 0 to 1. Repeatable.")
+        list[str] | None, typer.Option(metavar="U,V", help="A point, u and v from 0 to 1; of a curve t. Repeatable.")
     ] = None,
     grid: Annotated[
-        str | None, typer.Option(metavar="NUxNV", help="Points on a grid, edges included; 5x5 if nothing is chosen.")
+        str | None,
+        typer.Option(metavar="NUxNV", help="Points on a grid, edges included, 5x5 otherwise; of a curve N."),
     ] = None,
     points: Annotated[
         Path | None, typer.Option(metavar="FILE.csv", help="Points from a file with a row u,v each.")
     ] = None,
     quantities: Annotated[
         str | None,
-        typer.Option(
-            "-q", "--quantities", metavar="KEYS", help="Such as gaussian,mean,k1; a wrong one lists them all."
-        ),
+        typer.Option("-q", "--quantities", metavar="KEYS", help="Such as gaussian,mean,κ1; --list shows all."),
     ] = None,
     metric: Annotated[
         Literal["planar", "surface", "both"], typer.Option(help="Metric of the six invariants.")
@@ -72,26 +73,64 @@ def table(
     import numpy as np
 
     chosen = _format(form, output)
+    loaded = session.load_any(model, face)
+    if loaded.curves:
+        _deliver(_of_curve(loaded, patch, at, grid), chosen, output, digits, siunitx, model)
+        return
     u, v = _points(at, grid, points)
     count = np.broadcast(u, v).size
     if chosen == "text" and count > _MOST_SHOWN:
         raise ValueError(
             f"--format: expected csv, json, md or latex for {count:,} points; the screen shows at most {_MOST_SHOWN:,}"
         )
-    loaded = session.load(model, face)
     from quintrig.analysis.table import tabulate
-    from quintrig.exchange.latex import to_latex
-    from quintrig.exchange.tables import WRITERS
 
     one = loaded.patch(patch)
     keys = [word.strip() for word in quantities.split(",")] if quantities is not None else None
     title = loaded.name if len(loaded.patches) == 1 else f"{loaded.name}: {one.name}"
     result = tabulate(one.surface, u, v, keys, metric=metric, unit=loaded.unit, title=title, whole=whole)
+    _deliver(result, chosen, output, digits, siunitx, model, points)
+
+
+def _deliver(
+    result: "Table", chosen: str, output: Path | None, digits: int, siunitx: bool, *sources: Path | None
+) -> None:
+    """Print a table, or write it in the format chosen."""
+    from quintrig.exchange.latex import to_latex
+    from quintrig.exchange.tables import WRITERS
+
     if chosen == "text":
         print_table(result, session.output())
         return
     text = to_latex(result, digits=digits, siunitx=siunitx) if chosen == "latex" else WRITERS[chosen](result)
-    session.deliver(text, output, model, points)
+    session.deliver(text, output, *sources)
+
+
+def _of_curve(model: "Model", name: str | None, at: Sequence[str] | None, grid: str | None) -> "Table":
+    """Return the table of one curve of a model, at parameters or at so many evenly spaced ones."""
+    import numpy as np
+
+    from quintrig.analysis.curve_table import tabulate_curve
+    from quintrig.support.errors import ModelError, nearest
+    from quintrig.support.numerals import whole
+
+    known = [one.name for one in model.curves]
+    if name is None and len(known) > 1:
+        raise ModelError(f"has {len(known)} curves ({', '.join(known)}): choose one by its name (--patch NAME)")
+    if name is not None and name not in known:
+        raise ModelError(f"model {model.name!r} has no curve {name!r}{nearest(name, known)}; it has {', '.join(known)}")
+    one = model.curves[0 if name is None else known.index(name)]
+    if at:
+        t = np.array([session.numbers(text, 1, "--at")[0] for text in at])
+    else:
+        try:
+            count = whole(grid or "11")
+        except ValueError:
+            raise ValueError(f"--grid: expected a number of points of a curve, such as 101, got {grid!r}") from None
+        if not 2 <= count <= _MOST:
+            raise ValueError(f"--grid: expected 2 to {_MOST:,} points of a curve, got {grid}")
+        t = np.linspace(0.0, 1.0, count)
+    return tabulate_curve(one.curve, t, unit=model.unit, title=one.name)
 
 
 def _format(form: str | None, output: Path | None) -> str:

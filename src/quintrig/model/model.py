@@ -160,8 +160,7 @@ class Model:
         """Raise ModelError for a model of curves, which has no surface."""
         if self.curves:
             raise ModelError(
-                f"model {self.name!r}: expected a surface, found curves; quintrig check and plot read curves, and a "
-                "swept or ruled model makes a surface of them"
+                f"model {self.name!r}: expected a surface, found curves; a swept or ruled model makes a surface of them"
             )
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> Any:

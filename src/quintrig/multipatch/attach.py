@@ -209,8 +209,9 @@ def movable(patch: Patch, convert: bool, notes: list[str]) -> tuple[Patch, Handl
         )
     if not convert:
         raise ModelError(
-            f"{patch.name}: a {patch.kind} is not held by rows that can move; --convert (convert=True) makes it a "
-            "tensor-product patch, exactly the same before it moves"
+            f"{patch.name}: a {patch.kind} is not held by rows that can move",
+            remedy="convert=True makes it a tensor-product patch, exactly the same before it moves",
+            key="convert",
         )
     notes.append(f"{patch.name}: made a tensor-product patch")
     return tensor, found

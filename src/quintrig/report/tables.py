@@ -304,7 +304,7 @@ def seams_table(joins: Joins) -> Grid:
     rows = list(range(len(joins)))
     if len(rows) > _MOST_SEAMS:
         rows = sorted(rows, key=lambda k: (ORDERS.index(joins[k].order), -joins[k].angle.most))[:_MOST_SEAMS]
-        notes.append(prose(f"The {_MOST_SEAMS} roughest of {len(joins)} seams; quintrig joins lists all."))
+        notes.append(prose(f"The {_MOST_SEAMS} roughest of {len(joins)} seams; the joins of the model list all."))
     columns = [
         replace(column, values=tuple(column.values[k] for k in rows), rounded=tuple(column.rounded[k] for k in rows))
         for column in table.columns
