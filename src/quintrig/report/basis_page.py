@@ -16,7 +16,7 @@ from quintrig.report.mathml import mathml
 
 _STYLE = """body{font:16px/1.5 system-ui,sans-serif;max-width:64rem;margin:2rem auto;padding:0 1rem;color:#222}
 table{border-collapse:collapse;font-size:.9rem}td,th{text-align:left;padding:.3rem .7rem;border-bottom:1px solid #ddd;
-vertical-align:top}.no{color:#a3210f;font-weight:600}svg{max-width:100%;height:auto}pre,.wide{overflow-x:auto}"""
+vertical-align:top}.no{color:#a3210f;font-weight:600}svg{max-width:100%;height:auto}pre,.wide{overflow-x:auto;overflow-y:hidden}"""
 
 _MOST_SHOWN = 6  # parameters, the effect of which is drawn
 _GREEK = ("alpha", "beta", "gamma", "zeta", "kappa", "lambda", "rho", "theta", "pi")
@@ -82,7 +82,7 @@ def _name(name: str) -> str:
 def _curves(bases: Sequence[Basis]) -> list[Markup]:
     """Return the pictures of the curves on one polygon for each number of control points."""
     shown: list[Markup] = []
-    for size in sorted({one.size for one in bases if one.size > 2}):  # noqa: PLR2004 — two points make a segment
+    for size in sorted({one.size for one in bases if one.size > 2}):
         same = [one for one in bases if one.size == size]
         x = np.linspace(0.0, 1.0, size)
         points = np.stack([x, np.where(np.arange(size) % (size - 1) > 0, 0.6 + 0.2 * x, 0.0)], axis=-1)
