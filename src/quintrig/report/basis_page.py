@@ -16,7 +16,7 @@ from quintrig.report.mathml import mathml
 
 _STYLE = """body{font:16px/1.5 system-ui,sans-serif;max-width:64rem;margin:2rem auto;padding:0 1rem;color:#222}
 table{border-collapse:collapse;font-size:.9rem}td,th{text-align:left;padding:.3rem .7rem;border-bottom:1px solid #ddd;
-vertical-align:top}.no{color:#a3210f;font-weight:600}svg{max-width:100%;height:auto}pre,.wide{overflow-x:auto}"""
+vertical-align:top}.no{color:#a3210f;font-weight:600}svg{max-width:100%;height:auto}pre,.wide{overflow-x:auto;overflow-y:hidden}"""
 
 _MOST_SHOWN = 6  # parameters, the effect of which is drawn
 _GREEK = ("alpha", "beta", "gamma", "zeta", "kappa", "lambda", "rho", "theta", "pi")
