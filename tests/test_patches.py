@@ -6,8 +6,8 @@ import pytest
 import quintrig
 from catalogue import CALM, LEVEL, SURFACES
 from quintrig import Model, ModelError
-from quintrig.exchange.export import export
 from quintrig.basis.bspline import BSpline
+from quintrig.exchange.export import export
 from quintrig.geometry.surface import Net, Surface
 from quintrig.model.kinds.definition import Definition
 from quintrig.model.kinds.recognise import Bare
@@ -24,7 +24,9 @@ AXES = DesignSpace((Axis("alpha1", 0.0, 1.0, 2),))
 def odd():
     """Return a surface whose rows are trigonometric and whose blend is a B-spline, as no kind has it."""
     one = quintrig.tensor([[[i, j, 0.1 * i * j] for j in range(6)] for i in range(6)])
-    return Surface(Net(one.rows.points, one.rows.functions), BSpline((0.0, 0.0, 0.0, 0.25, 0.5, 0.75, 1.0, 1.0, 1.0), 2))
+    return Surface(
+        Net(one.rows.points, one.rows.functions), BSpline((0.0, 0.0, 0.0, 0.25, 0.5, 0.75, 1.0, 1.0, 1.0), 2)
+    )
 
 
 @pytest.mark.parametrize("name", SURFACES)

@@ -1,5 +1,6 @@
 """What a paper derives of its basis by hand, found by looking: partition of unity, sign, ends, symmetry, space."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
 from typing import Any
@@ -56,6 +57,8 @@ class BasisReport:
         found = data.pop("findings")
         truth = {key: finding.pop("holds") for key, finding in found.items()}
         head = {key: data[key] for key in ("name", "source", "size", "parameters")}
+        if not math.isfinite(self.condition):
+            data["condition"] = None  # JSON has no infinity
         return head | truth | {"found": found} | data
 
 

@@ -19,7 +19,7 @@ REMEDIES = {
     "address": "choose another with --port or --host",
     "axes": "name one with --vary, such as --vary alpha1=-4:1:21",
     "best": "add --best COLUMN",
-    "convert": "--convert makes it a tensor-product patch, exactly the same before it moves",
+    "convert": "--convert makes it a tensor-product patch",
     "curves": "export the faces as NURBS, or copy a curve with --curve N",
     "faces": "quintrig import {file} --list shows them",
     "new": "'quintrig new swept' writes one",

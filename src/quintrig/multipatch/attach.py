@@ -181,8 +181,9 @@ def _matched(
         if tensor is not None:
             if not convert:
                 raise ModelError(
-                    f"{two.name}:{side2}: a {two.kind} cannot keep its kind and join {one.name}:{side1} to "
-                    f"G{level}; --convert (convert=True) makes it a tensor-product patch"
+                    f"{two.name}:{side2}: a {two.kind} cannot keep its kind and join {one.name}:{side1} to G{level}",
+                    remedy="convert=True makes it a tensor-product patch",
+                    key="convert",
                 )
             notes.append(f"{two.name}: made a tensor-product patch")
             two, own = movable(tensor, convert, notes)

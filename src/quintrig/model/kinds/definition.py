@@ -161,7 +161,7 @@ class Based(Definition):
         default=DEFAULT,
         description=(
             "Basis, by name, or two for u and v, such as ['cubic', 'quintic']; 'bernstein' gives the classical surface "
-            "on the same points, 'quintrig basis' lists the others"
+            "on the same points"
         ),
     )
     bases: Annotated[dict[str, Any], Field(strict=True)] = Field(
