@@ -12,6 +12,9 @@ from random_models import RANDOM
 
 KINDS = ("tensor", "symmetric", "swept", "swung", "ruled")
 DISTANCES = (1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7)
+ROUNDING = 5e-13
+"""Processors differ: the largest seen is 1.2e-13, without AVX-512; undivided, errors are 1e-16/t²."""
+
 STILL = ((True, False), (False, True), (True, True))
 
 
@@ -48,7 +51,7 @@ def test_curvature_beside_edges_at_exactly_minus_four(kind, t):
     rng = np.random.default_rng([1, *kind.encode()])
     mixed = [-4.0, 1.0, -4.0, 1.0] if kind == "ruled" else [-4.0, 0.5, 1.0, -4.0]
     for shape in ([-4.0] * 4, mixed):
-        meets_exact_values({"kind": kind, **RANDOM[kind](rng, 1.0), "shape": shape}, t, 1e-13)
+        meets_exact_values({"kind": kind, **RANDOM[kind](rng, 1.0), "shape": shape}, t, ROUNDING)
 
 
 @pytest.mark.parametrize("t", DISTANCES)
@@ -58,7 +61,7 @@ def test_curvature_beside_edges_where_two_rows_of_points_coincide(shape, t):
     net = RANDOM["tensor"](np.random.default_rng(8), 1.0)["points"].copy()
     net[1] = net[0]
     net[:, 4] = net[:, 5]
-    meets_exact_values({"kind": "tensor", "points": net, "shape": shape}, t, 1e-13 + 1e-15 / t)
+    meets_exact_values({"kind": "tensor", "points": net, "shape": shape}, t, ROUNDING + 1e-15 / t)
 
 
 def test_what_stands_still_on_one_boundary_only_is_left_alone():
