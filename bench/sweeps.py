@@ -10,9 +10,10 @@ from pathlib import Path
 import quintrig
 from bench.speed import wavy_net
 from bench.timing import HEAD, compared, race, table
+from quintrig.geometry.constructions import SHAPE_NAMES
 from quintrig.sweep.part import Task, summaries
 from quintrig.sweep.run import run
-from quintrig.sweep.space import SHAPE_NAMES, Axis, DesignSpace
+from quintrig.sweep.space import Axis, DesignSpace
 from quintrig.sweep.store import open_sweep
 from quintrig.sweep.summarise import clenshaw_curtis
 

@@ -1,5 +1,6 @@
 """What stands beside the code says what is so: citation, checks before a commit, lowest versions, kept benchmarks."""
 
+import ast
 import importlib.util
 import json
 import re
@@ -76,3 +77,14 @@ def test_tables_of_a_benchmark_are_kept_with_their_titles():
         print("A title\nof two lines\n\n| way | ns |\n|-----|---:|\n| a   |  1 |\n| b   |  2 |\n")
     found = [{"title": "A title of two lines", "head": ["way", "ns"], "rows": [["a", "1"], ["b", "2"]]}]
     assert kept.tables(text.getvalue()) == found
+
+
+@pytest.mark.parametrize("file", sorted((ROOT / "bench").glob("*.py")), ids=lambda file: file.stem)
+def test_a_benchmark_finds_what_it_imports(file):
+    """Nobody runs the benchmarks but for a release, so that a name that moved would go unseen until then."""
+    for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.ImportFrom) and (node.module or "").startswith(("quintrig", "bench")):
+            module = importlib.import_module(node.module)
+            for name in node.names:
+                if not hasattr(module, name.name):
+                    importlib.import_module(f"{node.module}.{name.name}")
