@@ -1,5 +1,6 @@
 """Every basis that quintrig brings, against 40 digits from the papers' formulas, and every way to name one."""
 
+import importlib.metadata
 from types import SimpleNamespace
 
 import numpy as np
@@ -17,7 +18,6 @@ from quintrig.basis.rational import NotRationalError
 from quintrig.basis.registry import bases, entry, own_basis
 from quintrig.geometry.curve import Curve
 from quintrig.geometry.exact import exact_curve, exact_surface
-from quintrig.support import plugins
 from quintrig.support.errors import ModelError, QuintrigError
 
 ENTRIES = {one.name: one for one in LIBRARY}
@@ -404,7 +404,7 @@ def point(name, thing, package):
 @pytest.fixture
 def installed(monkeypatch):
     def put(*points):
-        monkeypatch.setattr(plugins, "entry_points", lambda group: points if group == registry.GROUP else ())
+        monkeypatch.setattr(importlib.metadata, "entry_points", lambda group: points if group == registry.GROUP else ())
         bases.cache_clear()
 
     yield put
@@ -437,3 +437,16 @@ def test_a_failing_package_is_left_out_with_a_warning(installed):
 def test_a_table_is_data_and_never_code():
     with pytest.raises(ValueError, match="character"):
         own_basis("mine", {"functions": ["().__class__", "t"]})
+
+
+def test_a_mistake_in_bases_for_several_patches_names_the_file(tmp_path):
+    patch = '[[patch]]\nname = "a"\nkind = "tensor"\nbasis = "mine"\npoints = [[[0,0,0],[0,1,0]],[[1,0,0],[1,1,1]]]\n'
+    for head, said in (
+        ('[bases.mine]\nfunctions = ["1-t", "t*q"]\n', "found 'q'"),
+        ('bases = "no.toml"\n', "no such file"),
+    ):
+        file = tmp_path / "several.toml"
+        file.write_text(head + patch)
+        with pytest.raises(ModelError, match=said) as error:
+            quintrig.load(file)
+        assert str(error.value).startswith(str(file))

@@ -17,7 +17,8 @@ from quintrig.exchange.cad.forms import carriers
 from quintrig.exchange.cad.readback import deviations
 from quintrig.exchange.cad.save import CadOptions, export_cad
 from quintrig.geometry.exact import exact_surface
-from quintrig.model.model import Model, Patch
+from quintrig.model.model import Model
+from quintrig.model.patch import Patch
 from quintrig.support.errors import QuintrigError
 
 if not os.environ.get("CI"):

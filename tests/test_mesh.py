@@ -14,7 +14,8 @@ from quintrig.exchange.mesh.write import SUFFIXES, MeshOptions, export_mesh
 from quintrig.geometry.exact import exact_surface
 from quintrig.geometry.nurbs import nurbs
 from quintrig.mesh.triangulate import mesh
-from quintrig.model.model import Model, Patch
+from quintrig.model.model import Model
+from quintrig.model.patch import Patch
 from quintrig.support.errors import QuintrigError
 
 if not os.environ.get("CI"):

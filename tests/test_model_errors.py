@@ -5,8 +5,9 @@ import json
 import numpy as np
 import pytest
 
-from quintrig.model.model import LARGEST_FILE, Model, load
+from quintrig.model.model import Model, load
 from quintrig.support.errors import ModelError
+from quintrig.support.parsing import LARGEST_FILE
 
 SECTION = [[0, 0, 0], [2, 0, 1], [4, 0, 3], [6, 0, 3], [8, 0, 1], [10, 0, 0]]
 TRAJECTORY = [[0, 0, 0], [0, 1, 3], [0, 3, 5], [0, 5, 5], [0, 7, 3], [0, 8, 0]]

@@ -11,7 +11,7 @@ from quintrig.exchange.export import export
 from quintrig.geometry.surface import Net, Surface
 from quintrig.model.kinds.definition import Definition
 from quintrig.model.kinds.recognise import Bare
-from quintrig.model.model import Patch
+from quintrig.model.patch import Patch
 from quintrig.report.write import write_report
 from quintrig.shaping.shape_effect import standard_shapes
 from quintrig.support.errors import QuintrigError

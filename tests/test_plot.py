@@ -6,11 +6,13 @@ import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import PolyCollection
+from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from matplotlib.text import Text
 
 import quintrig
 from cli_runner import quintrig as command
+from quintrig.figure.palette import CLASS_COLOURS
 
 BOOT = Path(__file__).parents[1] / "examples" / "car_boot.toml"
 PLANE = quintrig.Curve(np.array([[0.0, 0], [1, 2], [2, 3], [4, 3], [5, 1], [6, 0]]))
@@ -168,4 +170,31 @@ def test_the_command_has_the_same_options(tmp_path):
 def test_borders_of_classes_are_smooth(boot):
     """Between two classes there are mixed colours, not a staircase of cells."""
     picture = np.asarray(quintrig.plot(boot, "hk_type", view="flat").axes[0].images[0].get_array()).reshape(-1, 3)
-    assert len(np.unique(np.round(picture, 3), axis=0)) > len(np.unique(boot.surface.inside(0.5, 0.5))) + 5
+    pure = np.array([to_rgb(colour) for colour in CLASS_COLOURS["hk_type"]])
+    mixed = np.abs(picture[:, None] - pure[None]).max(axis=-1).min(axis=-1) > 1e-6
+    assert 0.0 < mixed.mean() < 0.1
+
+
+def test_a_model_of_curves_is_drawn_with_its_shape_parameters():
+    keys = {"kind": "curve", "points": PLANE.points.tolist()}
+    tables = [{**keys, "name": name, "shape": [alpha, 0.5]} for name, alpha in (("a", 0.0), ("b", -2.0))]
+    found = words(quintrig.plot(quintrig.Model.from_dict({"name": "two", "patch": tables})))
+    assert "a: α = 0, ζ = 0.5" in found
+    assert "b: α = -2, ζ = 0.5" in found
+    with pytest.raises(ValueError, match="expected, for curves, one of curve, comb, hull, curvature"):
+        quintrig.plot(quintrig.Model.from_dict(keys), "mean")
+
+
+def test_contours_of_a_small_face_are_traced_over_the_face():
+    """Its loop spans a fiftieth of the domain: nodes over all of it would leave five of them on the face."""
+    turn = np.linspace(0.0, 2.0 * np.pi, 65)[:-1]
+    loop = 0.3 + 0.01 * np.stack([np.cos(turn), np.sin(turn)], axis=-1)
+    points = [[[x, y, x * x + y * y] for y in (-1.0, 0.0, 1.0)] for x in (-1.0, 0.0, 1.0)]
+    knots = [[0, 0, 0, 1, 1, 1]] * 2
+    keys = {"kind": "nurbs", "points": points, "degrees": [2, 2], "knots": knots, "trim": [loop.tolist()]}
+    surface = quintrig.Model.from_dict(keys).surface
+    values = quintrig.analyse(surface, *loop.T, "K")["K"]
+    level = 0.5 * (values.min() + values.max())
+    figure = quintrig.plot(surface, "K", view="flat", levels=[level])
+    lines = [line for line in figure.axes[0].lines if line.get_linewidth() == pytest.approx(0.45)]
+    assert sum(len(line.get_xdata()) for line in lines) > 100

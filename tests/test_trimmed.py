@@ -397,3 +397,13 @@ def test_pictures_draw_the_face_alone():
     assert (high - low)[:2] == pytest.approx([6.0, 6.0], abs=1e-3)
     inside = facet_fields([surface], "gaussian", 100)[0].inside
     assert inside.mean() == pytest.approx(PI / 4, abs=0.01)
+
+
+def test_the_carrier_of_a_patch_is_not_trimmed_in_its_definition_either(tmp_path):
+    patch = quintrig.load(model_file(tmp_path)).patches[0]
+    whole = patch.carrier
+    assert whole.surface.trim == ()
+    assert "trim" not in whole.definition.model_dump(exclude_defaults=True)
+    again = quintrig.Model.from_dict(quintrig.Model("whole", "mm", (whole,)).to_dict())
+    assert again.surface.trim == ()
+    assert quintrig.integrals(again.surface).area.value == pytest.approx(100.0, rel=1e-12)

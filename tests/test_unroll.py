@@ -14,7 +14,8 @@ from quintrig.developables.unroll import Sheet, unroll
 from quintrig.exchange.pattern.drawing import LAYERS
 from quintrig.exchange.pattern.flatten import SUFFIXES, FlattenOptions, export_pattern, overlaps
 from quintrig.exchange.pattern.layout import PatternOptions, bends, drawing, parts
-from quintrig.model.model import Model, Patch
+from quintrig.model.model import Model
+from quintrig.model.patch import Patch
 from quintrig.support.errors import QuintrigError
 
 if not os.environ.get("CI"):

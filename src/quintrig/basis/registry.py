@@ -16,6 +16,8 @@ GROUP = "quintrig.bases"
 
 DEFAULT = "trigonometric"
 
+_OWN = {one.name: one for one in LIBRARY}
+
 Choice = str | Entry | Functions
 """One basis: a name, an entry, or a family at values of its own."""
 
@@ -23,12 +25,13 @@ Choice = str | Entry | Functions
 @lru_cache(maxsize=1)
 def bases() -> Mapping[str, Entry]:
     """Return all bases by name: those of the library, then those of installed packages."""
-    own = {entry.name: entry for entry in LIBRARY}
-    return MappingProxyType(with_plugins(GROUP, own, _accepted))
+    return MappingProxyType(with_plugins(GROUP, _OWN, _accepted))
 
 
 def entry(name: str, own: Mapping[str, Entry] | None = None) -> Entry:
     """Return a basis by name, of a model's ``own`` or of all; ValueError with the nearest known name."""
+    if name == DEFAULT and not own:  # without a look at what is installed
+        return _OWN[name]
     known = {**bases(), **(own or {})}
     if name not in known:
         raise ValueError(f"basis: expected one of {', '.join(known)}, found {name!r}{nearest(name, known)}")
@@ -53,7 +56,7 @@ def family(choice: Choice, points: int, values: Sequence[float] = (), unchecked:
 
 def own_basis(name: str, table: object) -> Basis:
     """Return a basis from a table with ``functions``, and ``parameters`` and ``source`` if it likes; ValueError."""
-    if name in {one.name for one in LIBRARY}:
+    if name in _OWN:
         raise ValueError(f"{name!r} is the name of a basis that quintrig brings; choose another name")
     if not name.isidentifier() or not name.isascii() or len(name) > 60:
         raise ValueError(f"expected a name of letters, digits and _, found {name[:60]!r}")

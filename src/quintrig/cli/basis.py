@@ -63,8 +63,8 @@ def basis(
 def _bases(word: str) -> "list[Basis]":
     """Return the basis of a name, or those of a file."""
     from quintrig.basis.registry import entry
-    from quintrig.model.model import load_bases
     from quintrig.model.own_bases import own_bases
+    from quintrig.model.patch import load_bases
 
     path = Path(word)
     if path.suffix.lower() not in (".toml", ".json"):

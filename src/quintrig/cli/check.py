@@ -16,7 +16,8 @@ if TYPE_CHECKING:
 
     from quintrig.analysis.extremes import Extreme
     from quintrig.analysis.summary import Summary
-    from quintrig.model.model import Model, Patch
+    from quintrig.model.model import Model
+    from quintrig.model.patch import Patch
     from quintrig.multipatch.joins import Joins
 
 _EPILOG = session.examples(

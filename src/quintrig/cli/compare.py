@@ -57,9 +57,9 @@ def compare(
     Writes a page with pictures on one scale of length and colour and a table of intensities: least, greatest and mean
     K and H, area and energies. In a folder the pictures and the table are files too.
     """
-    from quintrig.cli.plot import read_keys, read_view
+    from quintrig.figure.plot import read_quantities, read_view
 
-    keys, seen = read_keys(quantities), read_view(view)
+    keys, seen = read_quantities([word.strip() for word in quantities.split(",")]), read_view(view)
     loaded = session.load(model)
     from quintrig.shaping.shape_effect import beside_own, intensities, standard_shapes, variant
     from quintrig.support.files import refuse_unwritable, write_whole

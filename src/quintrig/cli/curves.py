@@ -1,19 +1,14 @@
 """What commands say and draw of a model of curves."""
 
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from quintrig.cli import session
-
 if TYPE_CHECKING:
     from rich.console import Console
 
-    from quintrig.figure.style import Style
-    from quintrig.model.model import Model, NamedCurve
-
-_PICTURES = ("curve", "comb", "hull", "curvature")
+    from quintrig.model.model import Model
+    from quintrig.model.patch import NamedCurve
 
 
 def tell_curve(one: "NamedCurve", model: "Model", console: "Console") -> int:
@@ -45,7 +40,7 @@ def _facts(one: "NamedCurve", unit: str) -> tuple[list[tuple[str, str]], list[st
     if definition.basis_words:
         facts.append(("basis", definition.basis_words))
     if definition.shape_symbols:
-        facts.append(("shape", _shape(one)))
+        facts.append(("shape", one.label))
     ends = np.concatenate([[0.0], curve.curvature_extremes(), [1.0]])
     bends = curve.signed_curvature(ends) if plane else curve.curvature(ends)
     name = "κ signed, left positive," if plane else "κ"
@@ -81,58 +76,3 @@ def _warnings(one: "NamedCurve", bends: "np.ndarray[tuple[int, ...], np.dtype[np
     if float(slow.min()) < 1e-3 * curve.length():
         warnings.append(f"nearly a cusp at t = {inner[int(np.argmin(slow))]:.4g}: the curve all but stands still there")
     return warnings
-
-
-def draw_curves(
-    model: "Model", what: str, output: Path, name: str | None, width: str, dpi: int, style: "Style"
-) -> None:
-    """Draw curves: themselves with their polygons, with combs or hulls, or their curvature over t."""
-    from quintrig.figure import curve as figures
-    from quintrig.figure import save
-    from quintrig.figure.save import kind_of
-    from quintrig.figure.style import inches
-    from quintrig.support.errors import ModelError, nearest
-    from quintrig.support.files import refuse_unwritable
-
-    what = "curve" if what == "surface" else what
-    if what not in _PICTURES:
-        raise ValueError(f"--quantities: expected, for curves, one of {', '.join(_PICTURES)}, got {what[:40]!r}")
-    kind_of(output)
-    refuse_unwritable(output)
-    wide = inches(width)
-    known = [one.name for one in model.curves]
-    if name is not None and name not in known:
-        raise ModelError(f"model {model.name!r} has no curve {name!r}{nearest(name, known)}; it has {', '.join(known)}")
-    chosen = [one for one in model.curves if name in (None, one.name)]
-    curves = [one.curve for one in chosen]
-    labels = [_label(one, len(chosen) > 1) for one in chosen]
-    if what == "curvature":
-        figure = figures.curvature_plot(curves, labels, title=model.name, unit=model.unit, width=wide, style=style)
-    elif curves[0].points.shape[1] == 3:
-        if what != "curve":
-            raise ValueError(f"--quantities: expected curve or curvature for curves in space, got {what!r}")
-        figure = figures.space_curves(curves, labels, title=model.name, unit=model.unit, width=wide, style=style)
-    else:
-        figure = figures.plane_curves(
-            curves,
-            labels,
-            hull=what == "hull",
-            comb=what == "comb",
-            title=model.name,
-            unit=model.unit,
-            width=wide,
-            style=style,
-        )
-    replaced = output.is_file()
-    session.wrote(save(figure, output, dpi), replaced)
-
-
-def _shape(one: "NamedCurve") -> str:
-    """Return the shape parameters that act, by their letters."""
-    values = one.definition.acting.values()
-    return ", ".join(f"{name} = {value:g}" for name, value in zip(one.definition.shape_symbols, values, strict=True))
-
-
-def _label(one: "NamedCurve", several: bool) -> str:
-    shape = _shape(one) or one.definition.basis_words
-    return f"{one.name}: {shape}" if several else shape

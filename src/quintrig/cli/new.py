@@ -61,7 +61,8 @@ def new(
 def _through(file: Path, closed: bool) -> str:
     """Return a model of the curves through the points of a file."""
     from quintrig.geometry.curve_joins import interpolate
-    from quintrig.model.model import Model, read_net
+    from quintrig.model.model import Model
+    from quintrig.model.reading import read_net
     from quintrig.model.toml import to_toml
 
     rows = read_net(file)

@@ -1,6 +1,5 @@
 """``quintrig plot``: pictures of a model."""
 
-from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -11,11 +10,8 @@ from quintrig.cli.options import Face, Listing, ModelFile, OnlyPatch, Whole
 from quintrig.cli.style import with_style
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
-    from quintrig.figure import Mark, Scene, View
     from quintrig.figure.style import Style
-    from quintrig.model.model import Model, Patch
+    from quintrig.model.model import Model
 
 _EPILOG = session.examples(
     ("quintrig plot lid.toml -o lid.png", "the surface, seen obliquely, with its normal"),
@@ -77,127 +73,30 @@ def plot(
     Of a model of curves, -q takes curve, comb, hull or curvature.
     """
     loaded = session.load_any(model, face, whole)
-    if loaded.curves:
-        from quintrig.cli.curves import draw_curves
-        from quintrig.figure.style import STANDARD
-
-        draw_curves(loaded, quantities, output, patch, width, dpi, style or STANDARD)
-        return
-    keys = read_keys(quantities)
-    chosen = session.patches(loaded, patch)
-    if shape is not None:
-        values = session.numbers(shape, None, "--shape")
-        chosen = tuple(one.with_shape(values) for one in chosen)
-    from quintrig.figure import save
-    from quintrig.figure.save import kind_of
+    chosen = _chosen(loaded, patch, shape)
+    from quintrig.figure.plot import plot as draw
+    from quintrig.figure.save import kind_of, save
+    from quintrig.figure.style import STANDARD
     from quintrig.support.files import refuse_unwritable
 
     kind_of(output)
     refuse_unwritable(output)
-    marks = _marks(at or [])
-    from quintrig.figure.style import STANDARD, inches
-
-    look, wide = style or STANDARD, inches(width)
-    if view == "flat":
-        figure = _flat(loaded, chosen, keys, marks, wide, look)
-    else:
-        figure = _space(loaded, chosen, keys, view, _scene(view, net, lines, marks, keys), wide, look)
+    pairs = [session.numbers(text, 2, "--at") for text in at or []]
+    figure = draw(
+        chosen,
+        [word.strip() for word in quantities.split(",")],
+        view=view,
+        net=net,
+        lines=lines,
+        at=[(u, v) for u, v in pairs],
+        style=style or STANDARD,
+        width=width,
+    )
     replaced = output.is_file()
     session.wrote(save(figure, output, dpi), replaced)
 
 
-def read_keys(text: str) -> list[str | None]:
-    """Return the keys asked for, None for the plain surface; ValueError for one that is no scalar or class."""
-    from quintrig.quantities.table import quantity
-
-    keys = [None if word.strip() == "surface" else quantity(word.strip()).key for word in text.split(",")]
-    for key in keys:
-        if key is not None and quantity(key).components > 1:
-            raise ValueError(f"--quantities: {key!r} is a vector, which no colour shows; see --list for the others")
-    return keys
-
-
-def _marks(at: Sequence[str]) -> "tuple[Mark, ...]":
-    from quintrig.figure import Mark
-    from quintrig.support.arrays import parameter
-
-    pairs = [session.numbers(text, 2, "--at") for text in at]
-    for pair in pairs:
-        parameter(pair[0], "u")
-        parameter(pair[1], "v")
-    return tuple(Mark(u, v, f"P{index + 1}" if len(pairs) > 1 else "P") for index, (u, v) in enumerate(pairs))
-
-
-def _scene(view: str, net: bool, lines: int, marks: "tuple[Mark, ...]", keys: list[str | None]) -> "Scene":
-    from quintrig.figure import ISO, Scene
-
-    return Scene(
-        view=ISO if view == "all" else read_view(view, ("all", "flat")),
-        net=net,
-        isolines=lines,
-        marks=marks,
-        normal=None in keys and view != "all",
-    )
-
-
-def read_view(text: str, others: Sequence[str] = ()) -> "View":
-    """Return the view asked for; ValueError naming those there are, and the ``others`` that the command knows."""
-    from quintrig.figure import VIEWS, View
-
-    if text in VIEWS:
-        return VIEWS[text]
-    try:
-        azimuth, elevation = session.numbers(text, 2, "--view")
-    except ValueError:
-        names = ", ".join([*VIEWS, *others])
-        raise ValueError(f"--view: expected {names} or AZIMUTH,ELEVATION in degrees, got {text[:40]!r}") from None
-    if not (-360.0 <= azimuth <= 360.0 and -90.0 <= elevation <= 90.0):
-        raise ValueError(
-            f"--view: expected an azimuth within ±360 and an elevation within ±90 degrees, got {text[:40]}"
-        )
-    return View(f"view from azimuth {azimuth:g}°, elevation {elevation:g}°", azimuth, elevation)
-
-
-def _flat(
-    model: "Model",
-    chosen: "Sequence[Patch]",
-    keys: list[str | None],
-    marks: "tuple[Mark, ...]",
-    width: float,
-    style: "Style",
-) -> "Figure":
-    from quintrig import figure
-    from quintrig.support.errors import ModelError
-
-    wanted = [key for key in keys if key is not None]
-    if not wanted:
-        raise ValueError("--quantities: a flat map needs a quantity, such as -q gaussian")
-    if len(chosen) > 1:
-        names = ", ".join(repr(one.name) for one in chosen)
-        raise ModelError(f"--patch: a flat map shows one surface; choose one of {names}")
-    surface, name, unit = chosen[0].surface, model.name, model.unit
-    if len(wanted) == 1:
-        return figure.flat_map(surface, wanted[0], marks=marks, title=name, unit=unit, width=width, style=style)
-    return figure.map_panels(surface, wanted, marks=marks, title=name, unit=unit, width=width, style=style)
-
-
-def _space(
-    model: "Model",
-    chosen: "Sequence[Patch]",
-    keys: list[str | None],
-    view: str,
-    scene: "Scene",
-    width: float,
-    style: "Style",
-) -> "Figure":
-    from quintrig import figure
-
-    surfaces = [one.surface for one in chosen]
-    name, unit = model.name, model.unit
-    if view == "all":
-        if len(keys) > 1:
-            raise ValueError("--quantities: expected one with --view all, got several")
-        return figure.projections(surfaces, keys[0], scene, title=name, unit=unit, width=width, style=style)
-    if len(keys) == 1:
-        return figure.space_picture(surfaces, keys[0], scene, title=name, unit=unit, width=width, style=style)
-    return figure.panels(surfaces, keys, scene, title=name, unit=unit, width=width, style=style)
+def _chosen(model: "Model", name: str | None, shape: str | None) -> "Model":
+    """Return the model with the part of this name alone, or all of it, with other shape parameters if asked for."""
+    one = session.only(model, name)
+    return one if shape is None else one.with_shape(session.numbers(shape, None, "--shape"))

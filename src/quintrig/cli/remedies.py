@@ -6,12 +6,23 @@ OPTIONS = {
     "axes": "--vary",
     "axis": "--vary",
     "best": "--best",
+    "colours": "--colours",
     "descending": "--greatest",
+    "font": "--font",
+    "levels": "--levels",
+    "limits": "--range",
+    "percentiles": "--percentiles",
     "points": "--points",
+    "quantity": "--quantities",
     "samples": "--samples",
     "scheduler": "--scheduler",
     "seed": "--seed",
+    "size": "--font-size",
+    "style": "--style",
+    "subject": "--patch",
+    "view": "--view",
     "where": "--where",
+    "width": "--width",
 }
 """The option of each argument that an error may be about."""
 

@@ -17,7 +17,8 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from quintrig.exchange.export import Written
-    from quintrig.model.model import Model, Patch
+    from quintrig.model.model import Model
+    from quintrig.model.patch import Patch
 
 
 def load(path: Path, face: int | None = None, whole: bool = False) -> "Model":
@@ -49,8 +50,12 @@ def _load(path: Path, face: int | None) -> "Model":
 
 
 def only(model: "Model", name: str | None) -> "Model":
-    """Return the model with the patch of this name alone, or all of it."""
-    return model if name is None else replace(model, patches=(model.patch(name),), held=())
+    """Return the model with the patch or curve of this name alone, or all of it."""
+    if name is None:
+        return model
+    if model.curves:
+        return replace(model, curves=(model.curve(name),))
+    return replace(model, patches=(model.patch(name),), held=())
 
 
 def patches(model: "Model", name: str | None) -> "tuple[Patch, ...]":

@@ -68,22 +68,17 @@ def _style(
 ) -> "Style":
     from quintrig.figure.style import changed, style_named
 
-    asked = {
-        "title": title,
-        "caption": caption,
-        "limits": limits and session.numbers(limits, 2, "--range"),
-        "percentiles": percentiles and session.numbers(percentiles, 2, "--percentiles"),
-        "colours": colours,
-        "levels": _levels(levels),
-        "font": font,
-        "size": size,
-    }
-    try:
-        return changed(style_named(style), **asked)
-    except ValueError as error:  # names the option as it is typed
-        name, colon, rest = str(error).partition(":")
-        flags = _OPTIONS[name][2] if name in _OPTIONS else (name,)
-        raise ValueError(f"{flags[0]}{colon}{rest}") from None
+    return changed(
+        style_named(style),
+        title=title,
+        caption=caption,
+        limits=limits and session.numbers(limits, 2, "--range"),
+        percentiles=percentiles and session.numbers(percentiles, 2, "--percentiles"),
+        colours=colours,
+        levels=_levels(levels),
+        font=font,
+        size=size,
+    )
 
 
 def _levels(text: str | None) -> int | tuple[float, ...] | None:

@@ -111,15 +111,9 @@ def _of_curve(model: "Model", name: str | None, at: Sequence[str] | None, grid: 
     import numpy as np
 
     from quintrig.analysis.curve_table import tabulate_curve
-    from quintrig.support.errors import ModelError, nearest
     from quintrig.support.numerals import whole
 
-    known = [one.name for one in model.curves]
-    if name is None and len(known) > 1:
-        raise ModelError(f"has {len(known)} curves ({', '.join(known)}): choose one by its name (--patch NAME)")
-    if name is not None and name not in known:
-        raise ModelError(f"model {model.name!r} has no curve {name!r}{nearest(name, known)}; it has {', '.join(known)}")
-    one = model.curves[0 if name is None else known.index(name)]
+    one = model.curve(name)
     if at:
         t = np.array([session.numbers(text, 1, "--at")[0] for text in at])
     else:
@@ -166,7 +160,7 @@ def _points(at: Sequence[str] | None, grid: str | None, file: Path | None) -> "t
 def _from_file(file: Path) -> "tuple[FloatArray, FloatArray]":
     import numpy as np
 
-    from quintrig.model.model import read_rows
+    from quintrig.model.reading import read_rows
 
     rows = read_rows(file)
     for number, row in rows.items():

@@ -12,7 +12,8 @@ from quintrig.basis.trigonometric import Trigonometric
 from quintrig.exchange.cad.faces import SpaceCurve
 from quintrig.exchange.formats import suffixes
 from quintrig.model.kinds.registry import kinds
-from quintrig.model.model import Model, in_rows, read_net, read_text
+from quintrig.model.model import Model
+from quintrig.model.reading import in_rows, read_net, read_text
 from quintrig.model.save import save
 from quintrig.support.arrays import FloatArray, frozen
 from quintrig.support.errors import ModelError, QuintrigError, nearest, printable

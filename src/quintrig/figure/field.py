@@ -65,6 +65,12 @@ def field(surface: Surface, key: str, u: FloatArray, v: FloatArray, thresholds: 
     return Field(q, u, v, values, scale, SAME_COLOUR * noise, inside)
 
 
+def traced(surface: Surface, key: str, nodes: int) -> Field:
+    """Return a quantity at ``nodes`` x ``nodes`` parameters between which lines are traced; those of a face span it."""
+    u, v = face_grid(surface, nodes, nodes)
+    return field(surface, key, u.ravel(), v.ravel())
+
+
 def facet_fields(
     surfaces: Sequence[Surface],
     key: str | None,

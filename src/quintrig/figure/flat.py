@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib import patheffects
 
 from quintrig.figure.edge import regression_parameters
-from quintrig.figure.field import Field, facet_fields, field, level_lines, zero_lines
+from quintrig.figure.field import Field, facet_fields, level_lines, traced, zero_lines
 from quintrig.figure.palette import INK, REGRESSION, UNDEFINED, Limits
 from quintrig.figure.scene import Mark
 from quintrig.figure.sheet import Area, Axes, drawable
@@ -54,8 +54,7 @@ def draw_map(
             style = (0, (4, 2)) if key == "mean" else "solid"
             axes.plot(line[:, 0], line[:, 1], color=INK, linewidth=0.9, linestyle=style, zorder=3)
     if levels:
-        nodes = np.linspace(0.0, 1.0, 241)
-        fine = field(surface, f.quantity.key, nodes, nodes)
+        fine = traced(surface, f.quantity.key, 241)
         for line in (line for level in levels for line in level_lines(fine, level)):
             axes.plot(line[:, 0], line[:, 1], color=INK, linewidth=0.45, zorder=2.5)
     for line in regression_parameters(surface):
@@ -80,8 +79,7 @@ def zero_sets(surface: Surface, f: Field) -> Zeros:
     K = 0 and H = 0 for maps of K, H and S, their own for others with a sign.
     """
     own = (f.quantity.key,) if f.quantity.colour == "diverging" else ()
-    nodes = np.linspace(0.0, 1.0, 481)
-    found = {key: tuple(zero_lines(field(surface, key, nodes, nodes))) for key in _COMPANIONS.get(f.quantity.key, own)}
+    found = {key: tuple(zero_lines(traced(surface, key, 481))) for key in _COMPANIONS.get(f.quantity.key, own)}
     return {key: lines for key, lines in found.items() if lines}
 
 

@@ -23,12 +23,19 @@ from quintrig.figure.style import Style, changed, inches, style_named
 from quintrig.figure.whole import flat_map, map_panels, panels, space_picture
 from quintrig.geometry.curve import Curve
 from quintrig.geometry.surface import Surface
-from quintrig.model.model import Model, Patch
+from quintrig.model.model import Model
+from quintrig.model.patch import Patch
 from quintrig.quantities.table import quantity as row
+from quintrig.support.arrays import parameter
+from quintrig.support.errors import ArgumentError
+from quintrig.support.numerals import real
 from quintrig.support.tolerance import SAME_COLOUR
 
 Subject = Surface | Patch | Model | Curve | Sample | Sequence[Curve]
 ViewName = str | tuple[float, float]
+
+CURVE_PICTURES = ("curve", "comb", "hull", "curvature")
+"""What is drawn of curves."""
 
 
 @dataclass(frozen=True)
@@ -67,8 +74,8 @@ def plot(
     """Return a picture of a surface, patch, model, curve, several curves or a sample, as a matplotlib figure.
 
     ``quantity`` is a key or symbol of the table, several for pictures side by side, "surface" for the plain one; for
-    curves "curve", "comb" or "curvature". ``view`` is iso, side, back, top, all, flat (a map over u and v) or (azimuth,
-    elevation) in degrees. ``net`` draws the control net or polygon, ``lines`` so many parameter lines each way, ``at``
+    curves "curve", "comb", "hull" or "curvature". ``view`` is iso, side, back, top, all, flat (a map over u and v) or
+    (azimuth, elevation) in degrees. ``net`` draws the control net, ``lines`` so many parameter lines each way, ``at``
     marks parameters. ``unit`` and ``heading`` are those of a model where it is one. ``style`` is "standard", "journal"
     or a ``Style``, of which title, caption, limits, percentiles, colours, levels, font and size (points) change what
     they name. ``width`` is in inches, or "84 mm", "column", "page". With ``axes`` of matplotlib the picture alone is
@@ -86,58 +93,88 @@ def plot(
         size=size,
     )
     names = [quantity] if isinstance(quantity, str) else list(quantity)
-    page = _Page(heading, unit, chosen, None if width is None else inches(width))
+    page = _page(subject, heading, unit, chosen, None if width is None else inches(width))
     if isinstance(subject, Sample):
         figure = _of_sample(subject, names, page, axes)
-    elif isinstance(subject, Surface | Patch | Model):
-        surfaces, page = _surfaces(subject, page)
-        keys = [None if name == "surface" else row(name).key for name in names]
-        marks = tuple(Mark(u, v, f"P{i + 1}" if len(at) > 1 else "P") for i, (u, v) in enumerate(at))
-        normal = None in keys and view != "all"
-        scene = Scene(read_view(view), net=net, isolines=lines, marks=marks, normal=normal)
+    elif isinstance(subject, Surface | Patch) or (isinstance(subject, Model) and not subject.curves):
+        surfaces, keys = _surfaces(subject), read_quantities(names)
+        scene = Scene(
+            read_view(view, ("all", "flat")),
+            net=net,
+            isolines=lines,
+            marks=_marks(at),
+            normal=None in keys and view != "all",
+        )
         if axes is not None:
             figure = _on_axes(axes, surfaces, keys, scene, view, page)
         elif view == "flat":
-            figure = _flat(surfaces, keys, marks, page)
+            figure = _flat(surfaces, keys, scene.marks, page)
         else:
             figure = _space(surfaces, keys, view, scene, page)
     else:
-        figure = _of_curves([subject] if isinstance(subject, Curve) else list(subject), names, net, page)
+        figure = _of_curves(subject, names, page)
     if save is not None:
         write(figure, save)
     return figure
 
 
-def read_view(view: ViewName) -> View:
-    """Return a view by its name or as (azimuth, elevation) in degrees; ValueError for others."""
-    if isinstance(view, str):
-        if view in ("all", "flat"):
-            return ISO
-        if view not in VIEWS:
-            names = ", ".join([*VIEWS, "all", "flat"])
-            raise ValueError(f"view: expected {names} or (azimuth, elevation), got {view!r}")
+def read_quantities(names: Sequence[str]) -> list[str | None]:
+    """Return the keys of quantities, None for the plain surface; ValueError for what no colour shows."""
+    keys = [None if name == "surface" else row(name).key for name in names]
+    for key in keys:
+        if key is not None and row(key).kind == "vector":
+            raise ArgumentError(f"{key!r} is a vector, which no colour shows", "quantity")
+    return keys
+
+
+def read_view(view: ViewName, others: Sequence[str] = ()) -> View:
+    """Return a view by its name or as azimuth and elevation in degrees, a pair or text; ValueError for others.
+
+    ``others`` are names of more than a view, which are seen obliquely.
+    """
+    if view in others:
+        return ISO
+    if isinstance(view, str) and view in VIEWS:
         return VIEWS[view]
-    azimuth, elevation = view
+    try:
+        azimuth, elevation = map(real, view.split(",")) if isinstance(view, str) else view
+    except ValueError:
+        names = ", ".join([*VIEWS, *others])
+        raise ArgumentError(
+            f"expected {names} or AZIMUTH,ELEVATION in degrees, got {str(view)[:40]!r}", "view"
+        ) from None
     if not (-360.0 <= azimuth <= 360.0 and -90.0 <= elevation <= 90.0):
-        raise ValueError(f"view: expected an azimuth within ±360 and an elevation within ±90 degrees, got {view}")
+        found = f"{azimuth:g},{elevation:g}"
+        raise ArgumentError(f"expected an azimuth within ±360 and an elevation within ±90 degrees, got {found}", "view")
     return View(f"view from azimuth {azimuth:g}°, elevation {elevation:g}°", azimuth, elevation)
 
 
-def _surfaces(subject: Surface | Patch | Model, page: _Page) -> tuple[list[Surface], _Page]:
+def _page(subject: Subject, heading: str, unit: str, style: Style, width: float | None) -> _Page:
+    """Return what a page says, from the subject where nothing is said of it."""
+    named = subject.name if isinstance(subject, Patch | Model) else ""
+    of_model = subject.unit if isinstance(subject, Model) else ""
+    return _Page(heading or named, unit or of_model, style, width)
+
+
+def _surfaces(subject: Surface | Patch | Model) -> list[Surface]:
     if isinstance(subject, Surface):
-        return [subject], page
-    unit = page.unit or (subject.unit if isinstance(subject, Model) else "")
-    named = _Page(page.heading or subject.name, unit, page.style, page.width)
-    patches = subject.patches if isinstance(subject, Model) else (subject,)
-    return [patch.surface for patch in patches], named
+        return [subject]
+    return [patch.surface for patch in (subject.patches if isinstance(subject, Model) else (subject,))]
+
+
+def _marks(at: Sequence[tuple[float, float]]) -> tuple[Mark, ...]:
+    for u, v in at:
+        parameter(u, "u")
+        parameter(v, "v")
+    return tuple(Mark(u, v, f"P{i + 1}" if len(at) > 1 else "P") for i, (u, v) in enumerate(at))
 
 
 def _flat(surfaces: Sequence[Surface], keys: Sequence[str | None], marks: tuple[Mark, ...], page: _Page) -> Figure:
     wanted = [key for key in keys if key is not None]
     if not wanted:
-        raise ValueError("quantity: a flat map needs one, such as gaussian")
+        raise ArgumentError("a flat map needs a quantity, such as gaussian", "quantity")
     if len(surfaces) > 1:
-        raise ValueError(f"a flat map shows one surface, found {len(surfaces)}; choose a patch of the model")
+        raise ArgumentError(f"a flat map shows one surface, found {len(surfaces)}; choose a patch", "subject")
     surface, width, title, style = surfaces[0], page.width, page.heading, page.style
     if len(wanted) == 1:
         return flat_map(surface, wanted[0], marks=marks, title=title, unit=page.unit, width=width or 5.0, style=style)
@@ -150,7 +187,7 @@ def _space(
     title, unit, style = page.heading, page.unit, page.style
     if view == "all":
         if len(keys) > 1:
-            raise ValueError("quantity: expected one for all views, got several")
+            raise ArgumentError("expected one for all views, got several", "quantity")
         return projections(surfaces, keys[0], scene, title=title, unit=unit, width=page.width or 9.0, style=style)
     if len(keys) == 1:
         return space_picture(surfaces, keys[0], scene, title=title, unit=unit, width=page.width or 6.4, style=style)
@@ -187,9 +224,8 @@ def _of_sample(sample: Sample, names: Sequence[str], page: _Page, axes: Any) -> 
             "a sample is drawn as a map of one quantity on a grid, such as plot(analyse(surface, *grid(60, 60)), "
             "'gaussian'); plot(surface, ...) draws the others"
         )
+    _ = read_quantities(names)
     q = row(names[0])
-    if q.components > 1:
-        raise ValueError(f"quantity: {q.key!r} is a vector, which no colour shows")
     values = sample[q.key]
     finite = np.abs(values[np.isfinite(values)].astype(np.float64))
     scale = natural_scale(sample, q) if "curvedness" in sample.values else float(finite.max(initial=0.0))
@@ -207,18 +243,25 @@ def _of_sample(sample: Sample, names: Sequence[str], page: _Page, axes: Any) -> 
     return style.finish(drawn.figure)
 
 
-def _of_curves(curves: Sequence[Curve], names: Sequence[str], polygon: bool, page: _Page) -> Figure:
+def _of_curves(subject: Curve | Sequence[Curve] | Model, names: Sequence[str], page: _Page) -> Figure:
+    if isinstance(subject, Model):
+        curves, labels = [one.curve for one in subject.curves], [one.label for one in subject.curves]
+        labels = [f"{one.name}: {one.label}" for one in subject.curves] if len(curves) > 1 else labels
+    else:
+        curves = [subject] if isinstance(subject, Curve) else list(subject)
+        labels: list[str] = []
     if not curves:
-        raise ValueError("curves: expected at least one")
+        raise ArgumentError("expected at least one curve, found none", "subject")
     what = "curve" if list(names) == ["surface"] else names[0]
+    if len(names) > 1 or what not in CURVE_PICTURES:
+        found = ",".join(names)[:40]
+        raise ArgumentError(f"expected, for curves, one of {', '.join(CURVE_PICTURES)}, got {found!r}", "quantity")
     width, title, unit, style = page.width or 5.0, page.heading, page.unit, page.style
     if what == "curvature":
-        return curvature_plot(curves, title=title, unit=unit, width=width, style=style)
-    if what not in ("curve", "comb"):
-        raise ValueError(f"quantity: expected curve, comb or curvature for a curve, got {what!r}")
+        return curvature_plot(curves, labels, title=title, unit=unit, width=width, style=style)
     if all(curve.points.shape[1] == 2 for curve in curves):
-        comb = what == "comb"
-        return plane_curves(
-            curves, polygon=polygon or not comb, comb=comb, title=title, unit=unit, width=width, style=style
-        )
-    return space_curves(curves, title=title, unit=unit, width=width, style=style)
+        hull, comb = what == "hull", what == "comb"
+        return plane_curves(curves, labels, hull=hull, comb=comb, title=title, unit=unit, width=width, style=style)
+    if what != "curve":
+        raise ArgumentError(f"expected curve or curvature for curves in space, got {what!r}", "quantity")
+    return space_curves(curves, labels, title=title, unit=unit, width=width, style=style)

@@ -9,7 +9,7 @@ from matplotlib.colors import to_rgb
 from matplotlib.path import Path
 
 from quintrig.figure.edge import regression_lines
-from quintrig.figure.field import Field, field, level_lines, zero_lines
+from quintrig.figure.field import Field, level_lines, traced, zero_lines
 from quintrig.figure.frame import Stage, box_outline, draw_frame, set_stage
 from quintrig.figure.markup import STROKE, draw_dots, draw_marks, draw_net, draw_normal, draw_point
 from quintrig.figure.palette import INK, REGRESSION, Limits
@@ -21,6 +21,7 @@ from quintrig.geometry.surface import Surface
 from quintrig.support.arrays import BoolArray, FloatArray
 
 _RIM = "#3a3a3a"
+_LEVELS = 241  # nodes a side at which contours are traced
 _ZEROS = 481  # nodes a side at which zeros are traced: where two lines cross they miss each other by half a cell
 
 
@@ -104,13 +105,11 @@ def _lines_on(
     paints += [strokes(_cut(line, box), scene.view, rim, 0.9, step, lift) for line in rims(surface) or _rim(mesh)]
     if scene.zeros and f is not None and f.quantity.colour == "diverging":
         dashed = f.quantity.key == "mean"
-        fine_u, fine_v = (nodes.ravel() for nodes in face_grid(surface, _ZEROS, _ZEROS))
-        for line in zero_lines(field(surface, f.quantity.key, fine_u, fine_v)):
+        for line in zero_lines(traced(surface, f.quantity.key, _ZEROS)):
             path = _cut(surface(line[:, 0], line[:, 1]), box)
             paints.append(strokes(path, scene.view, INK, 1.1, step, lift, dashed))
     if levels and f is not None:
-        nodes = np.linspace(0.0, 1.0, 241)
-        fine = field(surface, f.quantity.key, nodes, nodes)
+        fine = traced(surface, f.quantity.key, _LEVELS)
         for line in (line for level in levels for line in level_lines(fine, level)):
             paints.append(strokes(_cut(surface(line[:, 0], line[:, 1]), box), scene.view, INK, 0.5, step, lift))
     if scene.regression:

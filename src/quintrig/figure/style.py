@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.font_manager import get_font_names
 from matplotlib.text import Text
 
-from quintrig.support.errors import nearest
+from quintrig.support.errors import ArgumentError, nearest
 
 POINTS = 7.5
 """Size in points of the numbers on figures; titles and names are in proportion."""
@@ -44,22 +44,24 @@ class Style:
     def __post_init__(self) -> None:
         """Check once, at birth; ValueError in one line."""
         if self.limits is not None and not self.limits[0] < self.limits[1]:
-            raise ValueError(f"limits: expected two rising numbers, found {self.limits[0]:g} and {self.limits[1]:g}")
+            raise ArgumentError(
+                f"expected two rising numbers, found {self.limits[0]:g} and {self.limits[1]:g}", "limits"
+            )
         if self.percentiles is not None and not 0.0 <= self.percentiles[0] < self.percentiles[1] <= 100.0:
             low, high = self.percentiles
-            raise ValueError(f"percentiles: expected two rising numbers from 0 to 100, found {low:g} and {high:g}")
+            raise ArgumentError(f"expected two rising numbers from 0 to 100, found {low:g} and {high:g}", "percentiles")
         if self.limits is not None and self.percentiles is not None:
             raise ValueError("limits and percentiles: expected one of them, found both")
         if not 4.0 <= self.size <= 24.0:
-            raise ValueError(f"size: expected 4 to 24 points, found {self.size:g}")
+            raise ArgumentError(f"expected 4 to 24 points, found {self.size:g}", "size")
         if self.colours and self.colours not in matplotlib.colormaps:
             known = nearest(self.colours, matplotlib.colormaps)
-            raise ValueError(f"colours: no colour map of matplotlib is called {self.colours!r}{known}")
+            raise ArgumentError(f"no colour map of matplotlib is called {self.colours!r}{known}", "colours")
         if isinstance(self.levels, int):
             if not 0 <= self.levels <= 100:
-                raise ValueError(f"levels: expected 0 to 100 lines, found {self.levels}")
+                raise ArgumentError(f"expected 0 to 100 lines, found {self.levels}", "levels")
         elif any(not a < b for a, b in pairwise(self.levels)):
-            raise ValueError(f"levels: expected rising values, found {', '.join(f'{x:g}' for x in self.levels)}")
+            raise ArgumentError(f"expected rising values, found {', '.join(f'{x:g}' for x in self.levels)}", "levels")
 
     @property
     def factor(self) -> float:
@@ -91,7 +93,7 @@ STYLES = {"standard": STANDARD, "journal": JOURNAL}
 def style_named(name: str) -> Style:
     """Return a style by its name; ValueError naming those there are."""
     if name not in STYLES:
-        raise ValueError(f"style: expected {' or '.join(STYLES)}, found {name!r}")
+        raise ArgumentError(f"expected {' or '.join(STYLES)}, found {name!r}", "style")
     return STYLES[name]
 
 
@@ -114,9 +116,11 @@ def inches(width: float | str) -> float:
     elif found:
         value = float(found[1]) / {"mm": 25.4, "cm": 2.54, "in": 1.0, "pt": 72.0, "": 1.0}[found[2]]
     else:
-        raise ValueError(f"width: expected a length such as 84mm or 6.4in, {' or '.join(COLUMNS)}, found {width!r}")
+        raise ArgumentError(
+            f"expected a length such as 84mm or 6.4in, {' or '.join(COLUMNS)}, found {width!r}", "width"
+        )
     if not 1.0 <= value <= 20.0:
-        raise ValueError(f"width: expected 1 to 20 inches (25 to 508 mm), found {value:.3g} inches")
+        raise ArgumentError(f"expected 1 to 20 inches (25 to 508 mm), found {value:.3g} inches", "width")
     return value
 
 
@@ -124,7 +128,7 @@ def _require(font: str) -> None:
     names = sorted(set(get_font_names()))
     if font.lower() not in {*(name.lower() for name in names), "serif", "sans-serif", "monospace"}:
         hint = nearest(font, names) or f"; there are {', '.join(names[:8])} and {len(names) - 8} more"
-        raise ValueError(f"font: {font!r} is not installed{hint}")
+        raise ArgumentError(f"{font!r} is not installed{hint}", "font")
 
 
 def _texts(figure: Any) -> Sequence[Any]:

@@ -3,27 +3,21 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, cast
+from typing import Any, TypeVar, cast
 
-from pydantic import ValidationError
-
-from quintrig.basis.library import Entry
-from quintrig.basis.registry import bases
 from quintrig.geometry.curve import Curve
 from quintrig.geometry.surface import Surface
-from quintrig.model.explain import HEADER, explain, spell
+from quintrig.model.explain import HEADER, spell
 from quintrig.model.held import Held, held
 from quintrig.model.kinds.curve import CurveKind
-from quintrig.model.kinds.definition import Definition
-from quintrig.model.kinds.recognise import Bare, recognised
+from quintrig.model.kinds.recognise import Bare
 from quintrig.model.kinds.registry import kinds
-from quintrig.model.own_bases import own_bases, tables_of
-from quintrig.support.csv_rows import rows_of
+from quintrig.model.patch import NamedCurve, Patch, curve_of, patch_of, with_bases
+from quintrig.model.reading import read_text
 from quintrig.support.display import mime_bundle
 from quintrig.support.errors import ModelError, nearest
-from quintrig.support.files import open_regular
 from quintrig.support.late import call
-from quintrig.support.parsing import LARGEST_FILE, parse
+from quintrig.support.parsing import parse
 
 SCHEMA_VERSION = 1
 UNITS = ("um", "mm", "cm", "m", "km", "in", "ft")
@@ -40,80 +34,7 @@ _UNIT_NAMES = {
 }
 
 
-@dataclass(frozen=True, eq=False)
-class Patch:
-    """One surface of a model: its name, what the file said of it, and the surface built from that.
-
-    Given None for the definition of a surface that no file holds, it has that of ``Patch.of``.
-    """
-
-    name: str
-    definition: Definition
-    surface: Surface
-
-    def __post_init__(self) -> None:
-        """See to it that there is a definition."""
-        if not isinstance(self.definition, Definition):  # pyright: ignore[reportUnnecessaryIsInstance]
-            object.__setattr__(self, "definition", recognised(self.surface))
-
-    @staticmethod
-    def of(surface: Surface, name: str = "surface") -> "Patch":
-        """Return a patch of a surface, by the first kind that would build it, or ``Bare`` where none would."""
-        return Patch(name, recognised(surface), surface)
-
-    def __repr__(self) -> str:
-        """Return one line: name, kind and shape parameters."""
-        shape = f", shape {self.shape}" if self.shape else ""
-        return f"<Patch {self.name!r}: {self.kind}{shape}>"
-
-    @property
-    def kind(self) -> str:
-        """The kind, such as ``swept``."""
-        return str(getattr(self.definition, "kind", ""))
-
-    @property
-    def shape(self) -> tuple[float, ...]:
-        """Shape parameters, empty for kinds that have none."""
-        return self.definition.shape_values
-
-    @property
-    def carrier(self) -> "Patch":
-        """The same patch with all of the surface that a trimmed face is cut from."""
-        return replace(self, surface=self.surface.carrier)
-
-    def with_shape(self, shape: Sequence[float]) -> "Patch":
-        """Return the same patch with other shape parameters; ModelError where the kind has none or they do not fit."""
-        if not self.shape:
-            raise ModelError(f'patch "{self.name}": a {self.kind} has no shape parameters to vary')
-        return self._with(shape=list(shape))
-
-    def with_parameters(self, values: Mapping[str, float]) -> "Patch":
-        """Return the same patch with some of its parameters replaced, by name; ModelError where it has none such."""
-        known = self.definition.parameters
-        for name in values:
-            if name not in known:
-                has = f"it has {', '.join(known)}" if known else "it has none"
-                raise ModelError(f'patch "{self.name}": a {self.kind} has no parameter {name!r}; {has}')
-        names = tuple(self.definition.ranges)
-        shape = [values.get(name, known.get(name, 0.0)) for name in names]
-        sizes = {name: value for name, value in values.items() if name not in names}
-        return self._with(**sizes, **({"shape": shape} if set(values) & set(names) else {}))
-
-    def rebuilt(self, **keys: Any) -> "Patch":
-        """Return a patch of this name built from the keys of a model file; ModelError where they do not fit."""
-        return _patch(keys, self.name, None)
-
-    def _with(self, **changed: Any) -> "Patch":
-        return _patch({**self.definition.model_dump(), **changed}, self.name, None)
-
-
-@dataclass(frozen=True, eq=False)
-class NamedCurve:
-    """One curve of a model: its name, what the file said of it, and the curve built from that."""
-
-    name: str
-    definition: CurveKind
-    curve: Curve
+Part = TypeVar("Part", Patch, NamedCurve)
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,20 +62,27 @@ class Model:
     def patch(self, name: str | None = None) -> Patch:
         """Return a patch by name, or the only one; ModelError naming those there are."""
         self.refuse_curves()
-        known = [patch.name for patch in self.patches]
-        if name is None and len(self.patches) == 1:
-            return self.patches[0]
+        return self._named(self.patches, name, "patch", "patches")
+
+    def curve(self, name: str | None = None) -> NamedCurve:
+        """Return a curve by name, or the only one; ModelError naming those there are."""
+        return self._named(self.curves, name, "curve", "curves")
+
+    def _named(self, parts: Sequence[Part], name: str | None, one: str, several: str) -> Part:
+        known = [part.name for part in parts]
+        if name is None and len(parts) == 1:
+            return parts[0]
         if name is None:
             raise ModelError(
-                f"model {self.name!r} has {len(known)} patches ({', '.join(known)}): choose one by its name",
-                remedy="(model.patch(name))",
+                f"model {self.name!r} has {len(known)} {several} ({', '.join(known)}): choose one by its name",
+                remedy=f"(model.{one}(name))",
                 key="patch",
             )
         if name not in known:
             raise ModelError(
-                f"model {self.name!r} has no patch {name!r}{nearest(name, known)}; it has {', '.join(known)}"
+                f"model {self.name!r} has no {one} {name!r}{nearest(name, known)}; it has {', '.join(known)}"
             )
-        return self.patches[known.index(name)]
+        return parts[known.index(name)]
 
     def refuse_curves(self) -> None:
         """Raise ModelError for a model of curves, which has no surface."""
@@ -225,14 +153,13 @@ class Model:
             raise ModelError(f"unit: expected one of {', '.join(UNITS)}, got {unit!r}; {hint}")
         name = _text(data.pop("name", ""), "name")
         tables = data.pop("join", None)
-        if curves := _curves(data, name, folder):
+        parts = _parts(data, name, folder)
+        if any(keys.get("kind") == "curve" for _, keys in parts):
             if tables is not None:
                 raise ModelError("join: holds sides of surfaces together; curves are joined by join_curves")
+            curves = _curves(parts, folder)
             return Model(name or curves[0].name, unit, (), curves=curves)
-        if "patch" in data:
-            patches = _several(data, _with_bases(data, folder).get("bases", {}), folder)
-        else:
-            patches = (_patch(data, name or str(data.get("kind", "surface")), folder),)
+        patches = tuple(patch_of(keys, called, folder) for called, keys in parts)
         rules = () if tables is None else held(tables, tuple(patch.name for patch in patches))
         return Model(name or patches[0].name, unit, patches, rules)._carried()
 
@@ -288,216 +215,48 @@ def load(path: str | Path) -> Model:
         raise ModelError(f"{path}: {error}") from None
 
 
-def read_text(path: Path, what: str = "a model") -> str:
-    """Return the text of a small UTF-8 file; ModelError where it is missing, a folder, too large or not text.
-
-    ``what`` is what the file should be, in words.
-    """
+def _parts(data: dict[str, Any], name: str, folder: Path | None) -> list[tuple[str, dict[str, Any]]]:
+    """Return the name and the keys of each patch or curve, with the bases that a file has for all of them."""
+    if "patch" not in data:
+        return [(name or str(data.get("kind", "surface")), data)]
+    tables: object = data.pop("patch")
     try:
-        if path.is_dir():
-            raise ModelError(f"{path}: expected a file, found a folder")
-        size = path.stat().st_size
-        if size > LARGEST_FILE:
-            raise ModelError(
-                f"{path}: expected at most {LARGEST_FILE >> 20} MB, found {size >> 20} MB; is this {what}?"
-            )
-        with open_regular(path) as file:
-            # It may grow meanwhile.
-            raw = file.read(LARGEST_FILE + 1)
+        shared = with_bases({"bases": data.pop("bases", {})}, folder)["bases"]
     except ModelError:
         raise
-    except FileNotFoundError:
-        raise ModelError(f"{path}: no such file; check the path") from None
-    except (OSError, ValueError) as error:
-        raise ModelError(f"{path}: cannot be read ({_first_line(error)})") from None
-    if len(raw) > LARGEST_FILE:
-        raise ModelError(f"{path}: expected at most {LARGEST_FILE >> 20} MB, found more; is this {what}?")
-    try:
-        return raw.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        line = raw.count(b"\n", 0, error.start) + 1
-        raise ModelError(
-            f"{path}: expected text in UTF-8, found the byte 0x{raw[error.start]:02x} in line {line}; is this {what}?"
-        ) from None
-
-
-def read_net(path: Path) -> list[list[float]]:
-    """Return the rows of numbers of a CSV file, comma or semicolon separated; a heading and ``#`` lines are skipped.
-
-    Raises ModelError, naming file and row, for anything else.
-    """
-    return list(read_rows(path).values())
-
-
-def read_rows(path: Path) -> dict[int, list[float]]:
-    """Return the rows that ``read_net`` does, by their numbers in the file, which count every line from 1."""
-    text = read_text(path, "a table of numbers")
-    try:
-        return rows_of(text)
-    except ModelError as error:
-        raise ModelError(f"{path}: {error}") from None
-
-
-def in_rows(points: list[Any], columns: int, place: str) -> list[Any]:
-    """Return points listed row by row in rows of ``columns``; ValueError, naming ``place``, if one is not full."""
-    if len(points) % columns:
-        raise ValueError(f"{place}: expected a multiple of {columns} rows, got {len(points)}")
-    return [points[i : i + columns] for i in range(0, len(points), columns)]
-
-
-def _several(data: dict[str, Any], bases: Any, folder: Path | None) -> tuple[Patch, ...]:
-    tables = data.pop("patch")
-    data.pop("bases", None)
-    _ = own_bases(bases)  # which says what is wrong with them
+    except ValueError as error:
+        raise ModelError(str(error)) from None
     if not isinstance(tables, list) or not tables:
         raise ModelError(f"patch: expected one or more [[patch]] tables, got {spell(tables)}")
     if data:
         key = next(iter(data))
         raise ModelError(f"unknown key {key!r} beside [[patch]] tables{nearest(key, HEADER)}; move it into a patch")
-    patches: list[Patch] = []
+    parts: dict[str, dict[str, Any]] = {}
     for index, table in enumerate(cast(list[Any], tables)):
         place = f"patch {index + 1}"
         if not isinstance(table, dict):
             raise ModelError(f"{place}: expected a table of keys, got {spell(table)}")
         keys = cast(dict[str, Any], table)
-        name = _text(keys.get("name", place), f"{place}: name")
-        if name in [patch.name for patch in patches]:
-            raise ModelError(f'patch "{name}": two patches have this name; give each its own')
-        form = kinds().get(str(keys.get("kind")))
-        own = {"bases": bases} if bases and form is not None and "bases" in form.model_fields else {}
-        patches.append(_patch(own | keys, name, folder))
-    return tuple(patches)
+        called = _text(keys.get("name", place), f"{place}: name")
+        if called in parts:
+            raise ModelError(f'patch "{called}": two patches have this name; give each its own')
+        form = {**kinds(), "curve": CurveKind}.get(str(keys.get("kind")))
+        takes = shared and form is not None and "bases" in form.model_fields
+        parts[called] = {"bases": shared, **keys} if takes else keys
+    return list(parts.items())
 
 
-def _curves(data: dict[str, Any], name: str, folder: Path | None) -> tuple[NamedCurve, ...]:
-    """Return the curves of a model of curves; nothing for a model of surfaces."""
-    several = "patch" in data
-    tables: Any = data.get("patch") if several else [data]
-    if not isinstance(tables, list) or not any(_is_curve(table) for table in cast(list[Any], tables)):
-        return ()
-    shared = _with_bases(data, folder).get("bases") if several else None
-    key = next((key for key in data if key not in ("patch", "bases")), None) if several else None
-    if key is not None:
-        raise ModelError(f"unknown key {key!r} beside [[patch]] tables{nearest(key, HEADER)}; move it into a patch")
-    curves: list[NamedCurve] = []
-    for index, table in enumerate(cast(list[Any], tables)):
-        place = f"patch {index + 1}" if several else name or "curve"
-        if not _is_curve(table):
-            raise ModelError(f"{place}: expected a curve, as the others are; keep surfaces in a model of their own")
-        called = _text(table.get("name", place), f"{place}: name")
-        if called in [curve.name for curve in curves]:
-            raise ModelError(f'patch "{called}": two curves have this name; give each its own')
-        curves.append(_curve({"bases": shared, **table} if shared else table, called, folder))
-    if len({curve.curve.points.shape[1] for curve in curves}) > 1:
+def _curves(parts: list[tuple[str, dict[str, Any]]], folder: Path | None) -> tuple[NamedCurve, ...]:
+    """Return the curves of a model of curves; ModelError where there are surfaces, or curves of both dimensions."""
+    for called, keys in parts:
+        if keys.get("kind") != "curve":
+            raise ModelError(
+                f'patch "{called}": expected a curve, as the others are; keep surfaces in a model of their own'
+            )
+    curves = tuple(curve_of(keys, called, folder) for called, keys in parts)
+    if len({one.curve.points.shape[1] for one in curves}) > 1:
         raise ModelError("points: expected curves all in the plane or all in space, found both in one model")
-    return tuple(curves)
-
-
-def _is_curve(table: Any) -> bool:
-    return isinstance(table, dict) and cast(dict[str, Any], table).get("kind") == "curve"
-
-
-def _curve(keys: dict[str, Any], name: str, folder: Path | None) -> NamedCurve:
-    place = f'patch "{name}"'
-    try:
-        if isinstance(keys.get("points"), str):
-            keys = {**keys, "points": read_net(_beside(keys["points"], "points", folder))}
-        definition = CurveKind.model_validate(_with_bases(keys, folder))
-        curve = definition.curve()
-        definition.check_basis()
-        return NamedCurve(name, definition, curve)
-    except ValidationError as error:
-        raise ModelError(f"{place}: {explain(error, CurveKind, keys)}") from None
-    except ValueError as error:
-        raise ModelError(f"{place}: {error}") from None
-
-
-def _patch(keys: dict[str, Any], name: str, folder: Path | None) -> Patch:
-    place = f'patch "{name}"'
-    kind = keys.get("kind")
-    if not isinstance(kind, str) or kind not in kinds():
-        found = "no kind" if kind is None else spell(kind)
-        hint = nearest(kind, [*kinds(), "curve"]) if isinstance(kind, str) else ""
-        raise ModelError(f"{place}: kind: expected one of {', '.join(kinds())}, curve, got {found}{hint}")
-    form = kinds()[kind]
-    try:
-        keys = _with_nets(_with_bases(keys, folder), form, folder)
-        definition = form.model_validate(keys)
-        if definition.standard:
-            for key, counts in form.counts.items():
-                _check_counts(getattr(definition, key), counts, key)
-        surface = definition.surface()
-        definition.check_basis()
-        _ = surface.size  # which refuses what is too large or too small to compute with
-        return Patch(name, definition, surface)
-    except ValidationError as error:
-        raise ModelError(f"{place}: {explain(error, form, keys)}") from None
-    except ValueError as error:
-        raise ModelError(f"{place}: {error}") from None
-
-
-def _with_nets(keys: dict[str, Any], form: type[Definition], folder: Path | None) -> dict[str, Any]:
-    """Replace the name of a CSV file by its numbers."""
-    result = dict(keys)
-    for key in form.nets:
-        if not isinstance(result.get(key), str):
-            continue
-        file = Path(result[key])
-        rows = read_net(_beside(file, key, folder))
-        # A net of rows x columns is listed row by row, as many columns as the basis in v has functions.
-        columns = _columns(keys, form.counts[key][-1]) if len(form.counts[key]) == 2 else 0
-        result[key] = in_rows(rows, columns, f"{key}: {file}") if columns else rows
-    return result
-
-
-def _columns(keys: dict[str, Any], usual: int) -> int:
-    """Return how many points a row of a net has, where the basis in v says, else the usual number."""
-    name = keys.get("basis")
-    names = cast(list[object], name) if isinstance(name, list) else [name]
-    last = str(names[-1]) if names else ""
-    tables = keys.get("bases")
-    own: Mapping[str, Entry] = own_bases(cast(dict[str, Any], tables)) if isinstance(tables, dict) else {}
-    found: Entry | None = {**bases(), **own}.get(last)
-    return found.sizes[0] if found is not None and len(found.sizes) == 1 else usual
-
-
-def _with_bases(keys: dict[str, Any], folder: Path | None) -> dict[str, Any]:
-    """Replace the name of a file of bases by what it holds, and check them before what is built on them."""
-    if isinstance(keys.get("bases"), dict):
-        _ = own_bases(keys["bases"])
-    if not isinstance(keys.get("bases"), str):
-        return keys
-    file = Path(keys["bases"])
-    if folder is None or file.is_absolute() or ".." in file.parts or file.suffix.lower() not in (".toml", ".json"):
-        raise ValueError(
-            f"bases: expected [bases.NAME] tables, or the name of a .toml file beside the model, got {str(file)!r}"
-        )
-    return {**keys, "bases": load_bases(folder / file)}
-
-
-def load_bases(path: Path) -> dict[str, Any]:
-    """Return the tables of a file of ``[basis.NAME]`` tables, by name; ModelError where it is none."""
-    text = read_text(path, "a file of bases")
-    try:
-        return tables_of(parse(text, path.suffix.lower()))
-    except ValueError as error:
-        raise ModelError(f"{path}: {error}") from None
-
-
-def _beside(name: str | Path, key: str, folder: Path | None) -> Path:
-    """Return the CSV file of this name beside the model; ValueError for any other name."""
-    file = Path(name)
-    if folder is None or file.is_absolute() or ".." in file.parts or file.suffix.lower() != ".csv":
-        raise ValueError(f"{key}: expected numbers, or the name of a .csv file beside the model, got {str(file)!r}")
-    return folder / file
-
-
-def _check_counts(value: Sequence[Any], counts: tuple[int, ...], place: str) -> None:
-    if len(value) != counts[0]:
-        noun = "rows" if len(counts) == 2 else "planes" if place in ("planes", "bounds") else "points"
-        raise ValueError(f"{place}: expected {counts[0]} {noun}, got {len(value)}")
-    for index, row in enumerate(value if len(counts) == 2 else ()):
-        _check_counts(row, counts[1:], f"{place}[{index}]")
+    return curves
 
 
 def _plain(value: Any, depth: int = 0) -> Any:
@@ -513,7 +272,3 @@ def _text(value: Any, place: str) -> str:
     if not isinstance(value, str) or len(value) > 200 or not value.isprintable():
         raise ModelError(f"{place}: expected a text of at most 200 letters on one line, got {spell(value)}")
     return value
-
-
-def _first_line(error: Exception) -> str:
-    return (str(error).splitlines() or [type(error).__name__])[0][:200]

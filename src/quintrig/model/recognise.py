@@ -2,7 +2,8 @@
 
 from quintrig.geometry.surface import Surface
 from quintrig.model.kinds.recognise import Bare
-from quintrig.model.model import Model, Patch
+from quintrig.model.model import Model
+from quintrig.model.patch import Patch
 
 Subject = Model | Patch | Surface
 

@@ -5,7 +5,8 @@ from pathlib import Path
 
 from tomlkit.exceptions import TOMLKitError
 
-from quintrig.model.model import Model, read_text
+from quintrig.model.model import Model
+from quintrig.model.reading import read_text
 from quintrig.model.toml import edited, plain, to_toml
 from quintrig.support.errors import ModelError
 from quintrig.support.files import write_whole

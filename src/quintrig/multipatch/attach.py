@@ -5,7 +5,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from quintrig.model.held import Held, held
-from quintrig.model.model import Model, Patch
+from quintrig.model.model import Model
+from quintrig.model.patch import Patch
 from quintrig.multipatch.boundary import SIDES, Edge, edges
 from quintrig.multipatch.find import joins_of
 from quintrig.multipatch.joins import ORDERS, Join

@@ -6,7 +6,8 @@ from itertools import groupby
 import numpy as np
 
 from quintrig.model.held import Held
-from quintrig.model.model import Model, Patch
+from quintrig.model.model import Model
+from quintrig.model.patch import Patch
 from quintrig.multipatch.attach import edge_of, movable, runs_back, side_of
 from quintrig.multipatch.joins import ORDERS
 from quintrig.multipatch.match import Condition, match_all

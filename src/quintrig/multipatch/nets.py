@@ -8,7 +8,7 @@ import numpy as np
 
 from quintrig.geometry.constructions import reflected
 from quintrig.geometry.surface import Net
-from quintrig.model.model import Patch
+from quintrig.model.patch import Patch
 from quintrig.support.arrays import FloatArray
 
 Keys = dict[str, Any]

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from quintrig.model.model import Patch
+from quintrig.model.patch import Patch
 from quintrig.support.arrays import FloatArray
 from quintrig.support.errors import ModelError
 

@@ -11,7 +11,7 @@ from quintrig.analysis.summary import Summary, summarise
 from quintrig.analysis.table import Table, tabulate
 from quintrig.figure import Mark
 from quintrig.geometry.domain import grid as between
-from quintrig.model.model import Patch
+from quintrig.model.patch import Patch
 from quintrig.quantities.classify import Thresholds
 from quintrig.quantities.table import BY_KEY
 from quintrig.shaping.shape_effect import Variant, beside_own, standard_shapes, variant

@@ -8,7 +8,7 @@ from typing import Any, cast
 from markupsafe import Markup
 
 from quintrig.basis.formulas import Basis
-from quintrig.model.model import Patch
+from quintrig.model.patch import Patch
 from quintrig.report.mathml import mathml
 from quintrig.report.wording import number
 

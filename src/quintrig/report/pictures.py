@@ -23,7 +23,8 @@ from quintrig.figure import (
     to_png_bytes,
 )
 from quintrig.figure.field import field, zero_lines
-from quintrig.model.model import Model, Patch
+from quintrig.model.model import Model
+from quintrig.model.patch import Patch
 from quintrig.multipatch.joins import Joins
 from quintrig.quantities.table import BY_KEY
 from quintrig.report.facts import MARKS, Facts, has_effect

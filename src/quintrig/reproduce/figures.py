@@ -26,7 +26,7 @@ from quintrig.figure.palette import SERIES
 from quintrig.geometry.curve import Curve
 from quintrig.geometry.surface import Surface
 from quintrig.model.kinds.constructions import Ruled, Swept, Swung
-from quintrig.model.model import Patch
+from quintrig.model.patch import Patch
 from quintrig.reproduce.inventory import Item, labelled_points, model
 
 # Control points of the thesis's figure 2.3.

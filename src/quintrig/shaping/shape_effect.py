@@ -10,7 +10,7 @@ from quintrig.analysis.quadrature import Integral
 from quintrig.analysis.summary import Summary, summarise
 from quintrig.analysis.table import Column, Table
 from quintrig.basis.formulas import Parameter
-from quintrig.model.model import Patch
+from quintrig.model.patch import Patch
 from quintrig.quantities.table import BY_KEY
 from quintrig.support.errors import ModelError
 from quintrig.support.tolerance import typical_rounding

@@ -21,7 +21,8 @@ from quintrig.basis.trigonometric import Trigonometric
 from quintrig.geometry.envelope import Envelope
 from quintrig.geometry.surface import Net, Surface
 from quintrig.model.kinds.registry import OWN
-from quintrig.model.model import Model, Patch
+from quintrig.model.model import Model
+from quintrig.model.patch import Patch
 from quintrig.support.arrays import FloatArray
 from quintrig.support.errors import QuintrigError
 

@@ -5,7 +5,8 @@ import os
 from pathlib import Path
 from typing import Any, cast
 
-from quintrig.model.model import Model, read_text
+from quintrig.model.model import Model
+from quintrig.model.reading import read_text
 from quintrig.model.save import save as write
 from quintrig.support.errors import ModelError, QuintrigError
 from quintrig.support.files import nets_named, open_regular

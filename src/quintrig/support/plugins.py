@@ -2,10 +2,12 @@
 
 import warnings
 from collections.abc import Callable, Iterable
-from importlib.metadata import EntryPoint, entry_points
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from quintrig.support.errors import QuintrigError
+
+if TYPE_CHECKING:
+    from importlib.metadata import EntryPoint
 
 Thing = TypeVar("Thing")
 
@@ -16,6 +18,8 @@ def with_plugins(group: str, own: dict[str, Thing], accept: Callable[[str, Any],
     ``accept`` takes an entry point's name and object, and returns what it stands for; its ValueError, like any failure
     to import, leaves that one out with a warning that names it. Raises QuintrigError where two bring one name.
     """
+    from importlib.metadata import entry_points  # which costs as much as half of NumPy
+
     result = dict(own)
     owners = dict.fromkeys(own, "quintrig")
     for point in _sorted(entry_points(group=group)):
@@ -34,7 +38,7 @@ def with_plugins(group: str, own: dict[str, Thing], accept: Callable[[str, Any],
     return result
 
 
-def _sorted(points: Iterable[EntryPoint]) -> list[EntryPoint]:
+def _sorted(points: "Iterable[EntryPoint]") -> "list[EntryPoint]":
     """Return entry points in an order that does not hang on the file system, each once."""
     found = {(point.name, point.value, point.dist.name if point.dist else ""): point for point in points}
     return [found[key] for key in sorted(found)]

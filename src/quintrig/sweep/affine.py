@@ -12,7 +12,7 @@ import numpy as np
 
 from quintrig.geometry.surface import Surface
 from quintrig.kernel.evaluate import row_derivatives
-from quintrig.model.model import Patch
+from quintrig.model.patch import Patch
 from quintrig.support.arrays import FloatArray
 from quintrig.sweep.space import DesignSpace
 

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quintrig.geometry.surface import Surface
-from quintrig.model.model import Patch
+from quintrig.model.patch import Patch
 from quintrig.quantities.classify import Thresholds
 from quintrig.support.arrays import FloatArray
 from quintrig.support.tolerance import SINGULAR

@@ -6,7 +6,8 @@ from typing import Any
 import numpy as np
 
 from quintrig.analysis.edge_layers import find_layers
-from quintrig.model.model import Model, Patch
+from quintrig.model.model import Model
+from quintrig.model.patch import Patch
 from quintrig.quantities.classify import Thresholds
 from quintrig.quantities.table import BY_KEY
 from quintrig.support.arrays import FloatArray

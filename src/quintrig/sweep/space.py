@@ -6,7 +6,7 @@ from typing import Any, Literal, cast
 
 import numpy as np
 
-from quintrig.model.model import Patch
+from quintrig.model.patch import Patch
 from quintrig.support.arrays import FloatArray
 from quintrig.support.errors import ArgumentError, ModelError, nearest
 from quintrig.support.numerals import real, whole

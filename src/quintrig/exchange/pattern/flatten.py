@@ -10,7 +10,7 @@ from quintrig.exchange.formats import suffixes
 from quintrig.exchange.origin import far, is_far
 from quintrig.exchange.pattern.drawing import Drawing
 from quintrig.exchange.pattern.layout import PatternOptions, drawing
-from quintrig.model.model import Patch
+from quintrig.model.patch import Patch
 from quintrig.support.arrays import BoolArray, FloatArray
 from quintrig.support.errors import Note, QuintrigError
 from quintrig.support.files import write_whole

@@ -2,8 +2,6 @@
 
 from xml.sax.saxutils import escape
 
-import numpy as np
-
 from quintrig.exchange.pattern.drawing import LAYERS, Drawing, Text, dimension_strokes, number
 from quintrig.exchange.units import stated
 from quintrig.support.arrays import FloatArray
@@ -66,8 +64,3 @@ def _text(text: Text, at: tuple[float, float], scale: float) -> str:
         f'<text transform="{turn}" font-size="{size:.4f}" text-anchor="{anchor}" fill="{colour}" stroke="none">'
         f"{escape(text.text)}</text>"
     )
-
-
-def bounds_in_millimetres(drawing: Drawing) -> FloatArray:
-    """Return width and height of the page, (2,), mm."""
-    return np.asarray(stated(drawing.unit).millimetres * (drawing.high - drawing.low))
