@@ -41,7 +41,8 @@ def offset_curve(curve: Curve, distance: float, tolerance: float | None = None) 
     """Return curves that follow a plane curve at ``distance`` (length¹) to its left, negative to its right.
 
     An offset is no curve of the space: pieces are fitted and halved until each is within ``tolerance`` (1e-6 of the
-    curve's size if not given) of the offset at 129 points. Raises ValueError in space, at a cusp, and where the offset
+    curve's size if not given) of the offset at 129 points, or there are 256: the error says what was reached. Raises
+    ValueError in space, at a cusp, and where the offset
     turns back on itself because the distance reaches the radius of curvature.
     """
     if curve.points.shape[1] != 2:
