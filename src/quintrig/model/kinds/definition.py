@@ -164,7 +164,7 @@ class Based(Definition):
             "on the same points"
         ),
     )
-    bases: Annotated[dict[str, Any], Field(strict=True)] = Field(
+    bases: dict[str, Any] = Field(
         default={},
         description=(
             "Bases of your own by name: [bases.NAME] with functions = [...] and parameters = { NAME = [low, high] }, "
