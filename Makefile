@@ -2,7 +2,7 @@
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: report test test-fast test-slow test-lowest test-processors check check-studio bench bench-studio studio bundle extras clean
+.PHONY: report test test-fast test-slow test-lowest test-processors check check-studio bench bench-studio studio bundle docs extras clean
 
 report: .venv/installed
 	$(BIN)/quintrig report examples/car_boot.toml out/car_boot
@@ -71,9 +71,17 @@ studio/node_modules: studio/package-lock.json
 	cd studio && npm ci --no-audit --no-fund
 	touch $@
 
+# The documentation site, out/site/index.html: guides, gallery, notebooks (run anew), reference. Needs no network.
+docs: .venv/installed-docs
+	$(BIN)/python -m mkdocs build --strict --quiet
+
+.venv/installed-docs: .venv/bin/python pyproject.toml
+	$(BIN)/python -m pip install --quiet --editable ".[docs,all]"
+	touch $@ .venv/installed
+
 # Everything optional: CAD, meshes, studio, clusters. The tests that need one of them skip without it.
 extras: .venv/installed-dev
-	$(BIN)/python -m pip install --quiet --editable ".[dev,all]"
+	$(BIN)/python -m pip install --quiet --editable ".[dev,all,docs]"
 
 .venv/bin/python:
 	$(PYTHON) -m venv .venv

@@ -30,10 +30,12 @@ SLOW = frozenset(
         "report",
         "reproduce",
         "rhino_blocks",
+        "site",
         "stream",
         "sweep_numbers",
         "sweep_refined",
         "sweep_unbounded",
+        "tools",
     ]
 )
 """Files of tests that take more than some twenty seconds, without ``test_``; those of the studio's pages besides."""

@@ -80,6 +80,8 @@ def test_files_that_are_named_exist(page):
     text = page.read_text(encoding="utf-8")
     for path in re.findall(r"`((?:src|tests|docs|bench|studio|examples|\.ci)/[\w./-]*)`", text):
         assert (ROOT / path).exists(), path
-    names = {file.name for folder in ("src", "tests", "docs", "bench") for file in (ROOT / folder).rglob("*.py")}
+    names = {
+        file.name for folder in ("src", "tests", "docs", "bench", "examples") for file in (ROOT / folder).rglob("*.py")
+    }
     for path in re.findall(r"`([\w/]+\.py)`", text):
         assert path in names or (ROOT / path).exists() or (ROOT / "src" / "quintrig" / path).exists(), path

@@ -3,6 +3,7 @@
 Names are loaded on first use, so that ``import quintrig`` costs next to nothing.
 """
 
+from functools import partial
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
@@ -102,8 +103,17 @@ _HOME = {
     "geometry.domain": ("grid",),
     "geometry.surface": ("Surface",),
 }
+
+
+def _hand(name: str, value: Any, **options: Any) -> Any:
+    """Hand a value over to another tool by the function of its own module, imported on first use."""
+    return getattr(import_module(f"quintrig.exchange.tools.{name}"), name)(value, **options)
+
+
 late.register("joins", lambda *args, **words: import_module("quintrig.multipatch.find").joins_of(*args, **words))
 late.register("hold", lambda *model: import_module("quintrig.multipatch.hold").hold(*model))
+for _to in ("to_build123d", "to_compas", "to_pyvista", "to_rhino3dm", "to_trimesh"):
+    late.register(_to, partial(_hand, _to))
 display.register(lambda value: import_module("quintrig.studio.notebook").bundle(value))
 _WHERE = {name: module for module, names in _HOME.items() for name in names}
 

@@ -99,13 +99,15 @@ class Extremes:
 
 def find_extremes(
     surface: Surface,
-    keys: Sequence[str] = ("gaussian", "mean", "k1", "k2", "shape_index", "curvedness"),
+    keys: Sequence[str] | str = ("gaussian", "mean", "k1", "k2", "shape_index", "curvedness"),
     samples: int = 65,
 ) -> dict[str, Extremes]:
     """Return minimum, maximum and mean of scalar quantities, by key; ``samples`` a side are refined.
 
-    Raises ValueError for an unknown or vector quantity, or fewer than 2 samples.
+    ``keys`` may be symbols, or a single one. Raises ValueError for an unknown or vector quantity, or fewer than 2
+    samples.
     """
+    keys = [quantity(key).key for key in ([keys] if isinstance(keys, str) else keys)]
     means = area_means(surface, keys)
     found = find_ends(surface, keys, samples)
     u, v = face_grid(surface, samples, samples)

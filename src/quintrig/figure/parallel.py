@@ -10,6 +10,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 
 from quintrig.figure.palette import INK
+from quintrig.figure.picture import Picture
 from quintrig.figure.wording import exponent, normal_note, number_text, plain, with_unit
 from quintrig.geometry.surface import Surface
 from quintrig.quantities.table import BY_KEY
@@ -55,7 +56,7 @@ def parallel_coordinates(
     shown = dict.fromkeys((*_SHOWN, colour))
     names = [*parameters, *(name for name in shown if name in rows and name not in parameters)]
     heights: list[FloatArray] = []
-    figure = Figure(figsize=(1.0 + 1.0 * len(names), 4.6))
+    figure = Picture(figsize=(1.0 + 1.0 * len(names), 4.6))
     FigureCanvasAgg(figure)
     page: Any = figure  # matplotlib leaves the types of keyword arguments open
     axes: Any = page.add_axes((0.06, 0.16, 0.82, 0.6))

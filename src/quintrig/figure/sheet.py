@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.mathtext import MathTextParser
 
 from quintrig.figure.palette import INK
+from quintrig.figure.picture import Picture
 from quintrig.figure.style import STANDARD, Style
 
 _FORMULA = re.compile(r"(?<!\\)\$[^$\n]+(?<!\\)\$")
@@ -120,7 +121,7 @@ def columns_for(width: float, count: int, wanted: int) -> int:
 
 def new_figure(width: float, height: float) -> Figure:
     """Return a blank white figure of this size in inches, drawn by Agg, known to no window system."""
-    figure = Figure(figsize=(width, height), dpi=100, facecolor="white")
+    figure = Picture(figsize=(width, height), dpi=100, facecolor="white")
     FigureCanvasAgg(figure)
     return figure
 

@@ -12,6 +12,7 @@ from quintrig.basis.functions import Functions
 from quintrig.geometry.trimmed import Inside
 from quintrig.support.arrays import BoolArray, FloatArray, locked, parameter, whole
 from quintrig.support.display import mime_bundle
+from quintrig.support.handed import Handed
 from quintrig.support.pickled import Pickled
 
 
@@ -98,7 +99,7 @@ _REMEDY = "take another unit of length or other numbers"
 
 
 @dataclass(frozen=True, eq=False)
-class Surface(Pickled):
+class Surface(Pickled, Handed):
     """S(u, v) = Σ_j Q_j(u) D_j(v) over (u, v) in [0, 1]².
 
     The normal points along S_u x S_v, against it when ``flip``. ``net`` is the control net to draw, shape (n, m, 3),

@@ -16,6 +16,7 @@ from quintrig.model.patch import NamedCurve, Patch, curve_of, patch_of, with_bas
 from quintrig.model.reading import read_text
 from quintrig.support.display import mime_bundle
 from quintrig.support.errors import ModelError, nearest
+from quintrig.support.handed import Handed
 from quintrig.support.late import call
 from quintrig.support.parsing import parse
 
@@ -38,7 +39,7 @@ Part = TypeVar("Part", Patch, NamedCurve)
 
 
 @dataclass(frozen=True, eq=False)
-class Model:
+class Model(Handed):
     """A model file: name, unit of length (empty: plain numbers), patches with sides held together, or curves."""
 
     name: str

@@ -14,6 +14,10 @@ EXTRAS = {
     "pyarrow": ("sweep", "pyarrow"),
     "distributed": ("cluster", "Dask's distributed"),
     "zarr": ("stream", "Zarr"),
+    "pyvista": ("tools", "PyVista"),
+    "build123d": ("tools", "build123d"),
+    "compas": ("tools", "COMPAS"),
+    "trimesh": ("tools", "trimesh"),
 }
 """The extra of this package and the name of the project, by Python module."""
 

@@ -37,7 +37,7 @@ def write_3dm(forms: Sequence[ExactSurface], names: Sequence[str], unit: str, re
     for form, name in zip(forms, names, strict=True):
         attributes = rhino.ObjectAttributes()
         attributes.Name = name
-        solid = rhino.Brep.CreateFromSurface(_to_rhino(rhino, form))
+        solid = rhino.Brep.CreateFromSurface(to_rhino(rhino, form))
         if solid is None:
             raise ValueError(f'patch "{name}": rhino3dm makes no face of it')
         if form.flip:
@@ -118,7 +118,8 @@ def _expanded(rhino: Any, file: Any, item: Any, steps: tuple[Any, ...]) -> Itera
             yield from _expanded(rhino, file, part, (*steps, shape.Xform))
 
 
-def _to_rhino(rhino: Any, form: ExactSurface) -> Any:
+def to_rhino(rhino: Any, form: ExactSurface) -> Any:
+    """Return a rhino3dm.NurbsSurface with the same points, weights and knots; which way it faces is lost."""
     n, m = form.weights.shape
     result = rhino.NurbsSurface.Create(3, form.rational, form.u.degree + 1, form.v.degree + 1, n, m)
     homogeneous = np.concatenate([form.points * form.weights[..., None], form.weights[..., None]], axis=-1)
