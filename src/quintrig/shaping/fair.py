@@ -1,0 +1,281 @@
+"""``fair``: the smoothest patch near a given one, by its control points, its shape parameters, or both.
+
+The net goes along a path: for λ from large to small the minimum of energy + λ ∫∫ |S - S_0|² du dv (Tikhonov), and the
+smallest λ whose surface stays within the allowed deviation is taken. A step is kept only where it lowers the energy.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any, Literal, cast
+
+import numpy as np
+
+from quintrig.geometry.surface import Surface
+from quintrig.model.model import Model
+from quintrig.model.patch import Patch
+from quintrig.shaping.derivatives import Affine, affine
+from quintrig.shaping.energies import ENERGIES, Energy, Quadratic, energy, known, measured, quadratic
+from quintrig.shaping.holds import Hold, free_directions, hold, usual
+from quintrig.support.arrays import FloatArray
+from quintrig.support.errors import ModelError
+
+Vary = Literal["net", "shape", "both"]
+
+_ROUNDS = 4  # of net and shape in turn
+_WEIGHTS = (1e-12, 1e6)  # of the distance, relative to the energy's own scale
+_SAME = 1e-9  # of a side's size: a shape parameter that moves it by less leaves it
+
+
+@dataclass(frozen=True, eq=False)
+class Fairing:
+    """The model with a fairer patch, and what that took.
+
+    ``before`` and ``after`` are all energies by name: ``thin_plate`` and ``variation`` in length², ``bending`` a pure
+    number. ``deviation`` is the largest distance that a point of the patch moved at its (u, v), length¹, at 65 x 65
+    points: no point of one surface is farther from the other. ``held`` names what was held.
+    """
+
+    model: Model
+    patch: str
+    energy: str
+    before: dict[str, float]
+    after: dict[str, float]
+    deviation: float
+    held: tuple[str, ...]
+    notes: tuple[str, ...] = ()
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return plain values, without the model."""
+        return {
+            "patch": self.patch,
+            "unit": self.model.unit,
+            "energy": self.energy,
+            "before": self.before,
+            "after": self.after,
+            "deviation": self.deviation,
+            "held": list(self.held),
+            "shape": list(self.model.patch(self.patch).shape),
+            "notes": list(self.notes),
+        }
+
+
+def fair(
+    model: Model | Surface,
+    *,
+    patch: str | None = None,
+    energy: str = "thin_plate",
+    vary: Vary = "net",
+    hold: Sequence[str] | None = None,
+    within: float | None = None,
+) -> Fairing:
+    """Return the model with one patch made fairer: least ``energy`` with what is held held, nowhere raised.
+
+    ``energy`` is thin_plate, bending or variation. ``vary`` says what may change: the net, the shape parameters (within
+    their ranges), or both. ``hold`` lists sides and points that stay, to an order: ``"u0"``, ``"v1:G2"``,
+    ``"0.5,0.5:G1"``; by default seams with neighbours to the order they have, and all four sides where the net alone
+    varies. ``within`` bounds the deviation, length¹; it may be left out where the shape alone varies or all sides are
+    held. Raises ModelError for a patch whose net is not free, ValueError for words that are none, and where nothing is
+    left to vary.
+    """
+    if isinstance(model, Surface):
+        model = Model("surface", "", (Patch.of(model),))
+    name = known(energy)
+    if vary not in ("net", "shape", "both"):
+        raise ValueError(f"vary: expected net, shape or both, found {vary!r}")
+    if within is not None and not 0.0 < within < np.inf:
+        raise ValueError(f"within: expected a length greater than 0, found {within:g}")
+    first = model.patch(patch)
+    if first.surface.trim:
+        raise ModelError(f'patch "{first.name}": a trimmed face is not made fairer; take its whole surface')
+    holds = usual(model, first.name, edges=vary == "net") if hold is None else _read(hold)
+    found, notes = _fairest(first, name, vary, holds, within)
+    start, end = _energies(first), _energies(found)
+    return Fairing(
+        model.with_patch(found), first.name, name, start, end, deviation(first, found), tuple(map(str, holds)), notes
+    )
+
+
+def deviation(first: Patch, second: Patch) -> float:
+    """Return the largest distance between points of equal (u, v) of two patches, at 65 x 65 points, length¹."""
+    t = np.linspace(0.0, 1.0, 65)
+    apart = first.surface(t[:, None], t) - second.surface(t[:, None], t)
+    return float(np.sqrt((apart**2).sum(axis=-1)).max())
+
+
+def _read(texts: Sequence[str]) -> tuple[Hold, ...]:
+    return tuple(hold(text) for text in ([texts] if isinstance(texts, str) else texts))
+
+
+def _energies(patch: Patch) -> dict[str, float]:
+    return {name: measured(patch.surface, name) for name in ENERGIES}
+
+
+def _fairest(
+    first: Patch, name: str, vary: Vary, holds: Sequence[Hold], within: float | None
+) -> tuple[Patch, tuple[str, ...]]:
+    """Return the fairest patch, and what to tell."""
+    near = lambda patch: within is None or deviation(first, patch) <= within  # noqa: E731
+    if vary != "shape":
+        _ = affine(first)  # refuses what has no net
+        if within is None and sum(isinstance(one.place, str) for one in holds) < 4:
+            raise ValueError("within: expected a largest deviation where not all four sides are held; give one")
+    if vary == "net":
+        return _by_net(first, first, name, holds, near)
+    free = _free_shape(first, holds)
+    if not free and vary == "shape":
+        raise ValueError(
+            f'patch "{first.name}": what is held ({", ".join(map(str, holds)) or "nothing"}) leaves no shape parameter '
+            "free; hold fewer sides or vary the net"
+        )
+    notes = tuple(f"{key} stays: it moves what is held" for key in first.definition.ranges if key not in free)
+    if vary == "shape":
+        return _by_shape(first, name, free, near), notes
+    best, least = first, _value(first, name)
+    for _ in range(_ROUNDS):
+        turned = _by_shape(best, name, free, near) if free else best
+        turned, _ = _by_net(first, turned, name, holds, near)
+        reached = _value(turned, name)
+        if not reached < least:
+            break
+        gain, best, least = (least - reached) / least, turned, reached
+        if gain < 1e-3:
+            break
+    return best, notes
+
+
+def _value(patch: Patch, name: str) -> float:
+    return measured(patch.surface, name)
+
+
+# --------------------------------------------------------------------------------------------------------- the net
+
+
+def _by_net(
+    first: Patch, start: Patch, name: str, holds: Sequence[Hold], near: Callable[[Patch], bool]
+) -> tuple[Patch, tuple[str, ...]]:
+    """Return the patch of least energy by its net, no farther from ``first`` than allowed."""
+    of = affine(start)
+    directions = free_directions(of, holds)
+    if not directions.shape[1]:
+        raise ValueError(f'patch "{first.name}": what is held leaves no control point free; hold fewer sides')
+    what, mass = energy(name, of), quadratic(of, 0)
+    target = affine(first).values
+    least = _value(start, name)
+    step = _path(what, mass, of, directions, target)
+    low, high = np.log10(_WEIGHTS)
+    found = of.rebuilt(step(10.0**low))
+    if not near(found):
+        for _ in range(16 if isinstance(what, Quadratic) else 10):
+            middle = 0.5 * (low + high)
+            tried = of.rebuilt(step(10.0**middle))
+            found, low, high = (tried, low, middle) if near(tried) else (found, middle, high)
+    if not (near(found) and _value(found, name) < least):
+        return start, ("nothing fairer is within what is held and allowed",)
+    return found, ()
+
+
+def _path(
+    what: Energy, mass: Quadratic, of: Affine, directions: FloatArray, target: FloatArray
+) -> Callable[[float], FloatArray]:
+    """Return the minimum of energy + λ distance², a function of λ relative to the scales of both."""
+    from scipy.linalg import cho_factor, cho_solve, solve_triangular  # takes long to import
+
+    x0 = of.values
+    z_mass = directions.T @ mass.form @ directions
+    form = what.form if isinstance(what, Quadratic) else quadratic(of, 2).form
+    z_form = directions.T @ form @ directions
+    scale = np.trace(z_form) / np.trace(z_mass)
+    back = directions.T @ mass.form @ (target - x0)
+
+    if isinstance(what, Quadratic):
+        pull = -directions.T @ (0.5 * what.value(x0)[1])
+
+        def solved(weight: float) -> FloatArray:
+            z = cho_solve(cho_factor(z_form + weight * scale * z_mass), pull + weight * scale * back)
+            return x0 + directions @ z
+
+        return solved
+
+    from scipy.optimize import minimize
+
+    # Thin-plate energy is the bending energy of a nearly flat patch in good parameters: its root makes steps even.
+    lower = np.linalg.cholesky(z_form + 1e-9 * scale * z_mass)
+    unit = max(what.value(x0)[0], 1.0) / scale  # of the distance, so that λ means the same
+    size = float(np.sqrt(np.trace(z_mass) / len(z_mass))) or 1.0
+
+    def bent(weight: float) -> FloatArray:
+        def objective(y: FloatArray) -> tuple[float, FloatArray]:
+            z = solve_triangular(lower.T, y, lower=False)
+            x = x0 + directions @ z
+            value, gradient = what.value(x)
+            away = z_mass @ z - back
+            value += weight * scale * unit * float(z @ z_mass @ z - 2.0 * back @ z) / size**2
+            slope = directions.T @ gradient + 2.0 * weight * scale * unit * away / size**2
+            if not (np.isfinite(value) and np.isfinite(slope).all()):
+                return np.inf, np.zeros_like(y)
+            return value, solve_triangular(lower, slope, lower=True)
+
+        done = cast(Any, minimize)(
+            objective, np.zeros(len(lower)), jac=True, method="L-BFGS-B", options={"maxiter": 120, "maxcor": 30}
+        )
+        return x0 + directions @ solve_triangular(lower.T, done.x, lower=False)
+
+    return bent
+
+
+# ------------------------------------------------------------------------------------------------ shape parameters
+
+
+def _free_shape(patch: Patch, holds: Sequence[Hold]) -> list[str]:
+    """Return the shape parameters that leave the held sides and points where they are."""
+    before = [_at(patch, one) for one in holds]
+    free: list[str] = []
+    for name, known_range in patch.definition.ranges.items():
+        value = patch.definition.parameters[name]
+        low, high = known_range.low, known_range.high
+        other = low + 0.375 * (high - low) if value > 0.5 * (low + high) else low + 0.625 * (high - low)
+        moved = patch.with_parameters({name: other})
+        shift = [np.abs(_at(moved, one) - old).max() for one, old in zip(holds, before, strict=True)]
+        if all(step <= _SAME * patch.surface.size for step in shift):
+            free.append(name)
+    return free
+
+
+def _at(patch: Patch, one: Hold) -> FloatArray:
+    """Return what is held, at nine points of a side: points and derivatives."""
+    t = np.linspace(0.0, 1.0, 9)
+    if isinstance(one.place, str):
+        end = float(one.place[1])
+        u, v = (end, t) if one.place[0] == "u" else (t, end)
+    else:
+        u, v = one.place
+    partials = patch.surface.partials(u, v, one.order)
+    return np.stack([partials[a, b] for a in range(one.order + 1) for b in range(one.order + 1 - a)])
+
+
+def _by_shape(start: Patch, name: str, free: Sequence[str], near: Callable[[Patch], bool]) -> Patch:
+    """Return the patch of least energy by some of its shape parameters, as far as it may deviate."""
+    from scipy.optimize import minimize
+
+    ranges = [(start.definition.ranges[key].low, start.definition.ranges[key].high) for key in free]
+    here = np.array([start.definition.parameters[key] for key in free])
+    least = _value(start, name)
+    if not np.isfinite(least):
+        least = np.inf
+
+    def shaped(values: FloatArray) -> Patch:
+        return start.with_parameters(dict(zip(free, values.tolist(), strict=True)))
+
+    def objective(values: FloatArray) -> float:
+        value = _value(shaped(values), name)
+        return value if np.isfinite(value) else 1e300
+
+    inner = [(low + 1e-6 * (high - low), high) for low, high in ranges]
+    done = cast(Any, minimize)(objective, np.clip(here, *np.array(inner).T), bounds=inner, method="L-BFGS-B")
+    share = 1.0
+    for _ in range(30):
+        tried = shaped(here + share * (np.asarray(done.x) - here))
+        if near(tried) and _value(tried, name) < least:
+            return tried
+        share *= 0.7
+    return start
