@@ -6,7 +6,8 @@ smallest λ whose surface stays within the allowed deviation is taken. A step is
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal, cast
+from importlib import import_module
+from typing import Any, Literal
 
 import numpy as np
 
@@ -23,6 +24,7 @@ Vary = Literal["net", "shape", "both"]
 
 _ROUNDS = 4  # of net and shape in turn
 _WEIGHTS = (1e-12, 1e6)  # of the distance, relative to the energy's own scale
+_BETWEEN = 0.999  # of the deviation allowed is used: what may be more between the points that are looked at
 _SAME = 1e-9  # of a side's size: a shape parameter that moves it by less leaves it
 
 
@@ -31,7 +33,7 @@ class Fairing:
     """The model with a fairer patch, and what that took.
 
     ``before`` and ``after`` are all energies by name: ``thin_plate`` and ``variation`` in length², ``bending`` a pure
-    number. ``deviation`` is the largest distance that a point of the patch moved at its (u, v), length¹, at 65 x 65
+    number. ``deviation`` is the largest distance that a point of the patch moved at its (u, v), length¹, at 129 x 129
     points: no point of one surface is farther from the other. ``held`` names what was held.
     """
 
@@ -96,8 +98,8 @@ def fair(
 
 
 def deviation(first: Patch, second: Patch) -> float:
-    """Return the largest distance between points of equal (u, v) of two patches, at 65 x 65 points, length¹."""
-    t = np.linspace(0.0, 1.0, 65)
+    """Return the largest distance between points of equal (u, v) of two patches, at 129 x 129 points, length¹."""
+    t = np.linspace(0.0, 1.0, 129)
     apart = first.surface(t[:, None], t) - second.surface(t[:, None], t)
     return float(np.sqrt((apart**2).sum(axis=-1)).max())
 
@@ -114,7 +116,10 @@ def _fairest(
     first: Patch, name: str, vary: Vary, holds: Sequence[Hold], within: float | None
 ) -> tuple[Patch, tuple[str, ...]]:
     """Return the fairest patch, and what to tell."""
-    near = lambda patch: within is None or deviation(first, patch) <= within  # noqa: E731
+
+    def near(patch: Patch) -> bool:
+        return within is None or deviation(first, patch) <= _BETWEEN * within
+
     if vary != "shape":
         _ = affine(first)  # refuses what has no net
         if within is None and sum(isinstance(one.place, str) for one in holds) < 4:
@@ -178,8 +183,7 @@ def _path(
     what: Energy, mass: Quadratic, of: Affine, directions: FloatArray, target: FloatArray
 ) -> Callable[[float], FloatArray]:
     """Return the minimum of energy + λ distance², a function of λ relative to the scales of both."""
-    from scipy.linalg import cho_factor, cho_solve, solve_triangular  # takes long to import
-
+    linalg: Any = import_module("scipy.linalg")  # takes long; its types are open
     x0 = of.values
     z_mass = directions.T @ mass.form @ directions
     form = what.form if isinstance(what, Quadratic) else quadratic(of, 2).form
@@ -191,21 +195,19 @@ def _path(
         pull = -directions.T @ (0.5 * what.value(x0)[1])
 
         def solved(weight: float) -> FloatArray:
-            z = cho_solve(cho_factor(z_form + weight * scale * z_mass), pull + weight * scale * back)
+            z = linalg.cho_solve(linalg.cho_factor(z_form + weight * scale * z_mass), pull + weight * scale * back)
             return x0 + directions @ z
 
         return solved
 
-    from scipy.optimize import minimize
-
     # Thin-plate energy is the bending energy of a nearly flat patch in good parameters: its root makes steps even.
-    lower = np.linalg.cholesky(z_form + 1e-9 * scale * z_mass)
+    lower: FloatArray = np.asarray(np.linalg.cholesky(z_form + 1e-9 * scale * z_mass), dtype=np.float64)
     unit = max(what.value(x0)[0], 1.0) / scale  # of the distance, so that λ means the same
     size = float(np.sqrt(np.trace(z_mass) / len(z_mass))) or 1.0
 
     def bent(weight: float) -> FloatArray:
         def objective(y: FloatArray) -> tuple[float, FloatArray]:
-            z = solve_triangular(lower.T, y, lower=False)
+            z = linalg.solve_triangular(lower.T, y, lower=False)
             x = x0 + directions @ z
             value, gradient = what.value(x)
             away = z_mass @ z - back
@@ -213,12 +215,12 @@ def _path(
             slope = directions.T @ gradient + 2.0 * weight * scale * unit * away / size**2
             if not (np.isfinite(value) and np.isfinite(slope).all()):
                 return np.inf, np.zeros_like(y)
-            return value, solve_triangular(lower, slope, lower=True)
+            return value, linalg.solve_triangular(lower, slope, lower=True)
 
-        done = cast(Any, minimize)(
+        done = _minimize()(
             objective, np.zeros(len(lower)), jac=True, method="L-BFGS-B", options={"maxiter": 120, "maxcor": 30}
         )
-        return x0 + directions @ solve_triangular(lower.T, done.x, lower=False)
+        return x0 + directions @ linalg.solve_triangular(lower.T, done.x, lower=False)
 
     return bent
 
@@ -255,8 +257,6 @@ def _at(patch: Patch, one: Hold) -> FloatArray:
 
 def _by_shape(start: Patch, name: str, free: Sequence[str], near: Callable[[Patch], bool]) -> Patch:
     """Return the patch of least energy by some of its shape parameters, as far as it may deviate."""
-    from scipy.optimize import minimize
-
     ranges = [(start.definition.ranges[key].low, start.definition.ranges[key].high) for key in free]
     here = np.array([start.definition.parameters[key] for key in free])
     least = _value(start, name)
@@ -271,7 +271,7 @@ def _by_shape(start: Patch, name: str, free: Sequence[str], near: Callable[[Patc
         return value if np.isfinite(value) else 1e300
 
     inner = [(low + 1e-6 * (high - low), high) for low, high in ranges]
-    done = cast(Any, minimize)(objective, np.clip(here, *np.array(inner).T), bounds=inner, method="L-BFGS-B")
+    done = _minimize()(objective, np.clip(here, *np.array(inner).T), bounds=inner, method="L-BFGS-B")
     share = 1.0
     for _ in range(30):
         tried = shaped(here + share * (np.asarray(done.x) - here))
@@ -279,3 +279,7 @@ def _by_shape(start: Patch, name: str, free: Sequence[str], near: Callable[[Patc
             return tried
         share *= 0.7
     return start
+
+
+def _minimize() -> Any:
+    return import_module("scipy.optimize").minimize  # takes long; its types are open

@@ -1,0 +1,112 @@
+"""``quintrig fair``: the smoothest patch near a given one."""
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Literal
+
+import typer
+
+from quintrig.cli import session
+from quintrig.cli.options import Force, WhichPatch
+
+if TYPE_CHECKING:
+    from quintrig.model.model import Model
+    from quintrig.shaping.fair import Fairing
+
+_EPILOG = session.examples(
+    ("quintrig fair lid.toml -o fairer.toml", "moves the net, all four sides held"),
+    ("quintrig fair lid.toml --vary shape -o fairer.toml", "changes the shape parameters alone"),
+    (
+        "quintrig fair lid.toml --energy bending --hold u0:G1 --within 0.5 -o fairer.toml",
+        "one side and its tangents held",
+    ),
+    ("quintrig fair lid.toml -o fairer.toml --picture both.png", "before and after, side by side"),
+)
+
+_PICTURED = ("mean", "curvedness")
+
+
+def register(app: typer.Typer) -> None:
+    """Add the command."""
+    session.add(app, fair, _EPILOG)
+
+
+def fair(
+    model: Annotated[Path, typer.Argument(metavar="MODEL", help="Model file, .toml or .json.", show_default=False)],
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", metavar="OUT", help="Model to write, .toml or .json.")
+    ] = None,
+    energy: Annotated[
+        str, typer.Option(metavar="NAME", help="What is to be least: thin-plate, bending or variation.")
+    ] = "thin-plate",
+    vary: Annotated[
+        Literal["net", "shape", "both"], typer.Option(help="What may change: control points, shape parameters, both.")
+    ] = "net",
+    hold: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="PLACE",
+            help="What stays: a side or a point, to an order, such as u0, v1:G2, 0.5,0.5:G1. Several times.",
+            show_default=False,
+        ),
+    ] = None,
+    within: Annotated[
+        float | None, typer.Option(metavar="LENGTH", help="The farthest that a point may move.", show_default=False)
+    ] = None,
+    patch: WhichPatch = None,
+    picture: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Picture of the patch before and after.", show_default=False)
+    ] = None,
+    as_json: Annotated[bool, typer.Option("--json", help="Print what was reached as JSON.")] = False,
+    force: Force = False,
+) -> None:
+    """Make a patch fairer: the least energy near it, with what is held held.
+
+    thin-plate and variation are integrals of squared second and third derivatives over (u, v), bending is that of
+    κ1² + κ2² over the area. By default seams with neighbours are held to the order they have; where the net varies
+    alone, all four sides stay. The energy that is asked for never rises.
+    """
+    if output is not None and output.suffix.lower() not in (".toml", ".json"):
+        raise ValueError(f"-o: expected a name ending in .toml or .json, found {str(output)!r}")
+    loaded = session.load(model)
+    from quintrig.shaping.fair import fair as make_fair
+    from quintrig.support.files import refuse_loss
+
+    if output is not None:
+        refuse_loss(output, model, force=force)
+    done = make_fair(loaded, patch=patch, energy=energy, vary=vary, hold=hold or None, within=within)
+    if as_json:
+        session.emit(json.dumps(done.to_dict(), ensure_ascii=False))
+    else:
+        _tell(done)
+    if output is not None:
+        from quintrig.exchange.export import export
+
+        session.told(export(done.model, output))
+    if picture is not None:
+        _draw(loaded, done, picture)
+
+
+def _tell(done: "Fairing") -> None:
+    unit = done.model.unit
+    for name in ("thin_plate", "bending", "variation"):
+        mark = " (asked for)" if name == done.energy else ""
+        power = f" {unit}²" if unit and name != "bending" else ""
+        session.emit(f"{name.replace('_', '-')}: {done.before[name]:.6g} to {done.after[name]:.6g}{power}{mark}\n")
+    session.emit(f"largest deviation: {done.deviation:.4g}{' ' + unit if unit else ''}\n")
+    if done.held:
+        session.emit(f"held: {', '.join(done.held)}\n")
+    for note in done.notes:
+        session.remark(note)
+
+
+def _draw(before: "Model", done: "Fairing", path: Path) -> None:
+    """Draw the patch before and after, on one scale."""
+    from quintrig.figure import Scene, comparison, save
+
+    surfaces = [one.patch(done.patch).surface for one in (before, done.model)]
+    figure = comparison(
+        surfaces, ["before", "after"], "curvedness", Scene(), unit=done.model.unit, columns=2, width=10.0
+    )
+    save(figure, path)
+    session.wrote(path)
