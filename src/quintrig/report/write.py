@@ -18,7 +18,7 @@ from quintrig.quantities.signs import SIGN_TABLES
 from quintrig.quantities.table import QUANTITIES, quantity
 from quintrig.report import facts as known
 from quintrig.report import kinds, tables
-from quintrig.report.facts import MARKS, Facts
+from quintrig.report.facts import Facts
 from quintrig.report.findings import findings, methods
 from quintrig.report.mathml import mathml
 from quintrig.report.pictures import Image, invariants_shown, overview, picture_count, pictures, readings, render
@@ -122,7 +122,6 @@ def _page(
             source=source if len(source) <= _LONGEST else "",
             quantities=[q for q in QUANTITIES if q.key not in ("point", "normal")],
             signs=SIGN_TABLES,
-            marks=MARKS,
             basis=[mathml(latex) for latex in kinds.BASIS],
             other_bases=kinds.other_bases(model.patches),
             viewer=Markup(studio.viewer(model)) if live else "",
