@@ -22,7 +22,7 @@ from quintrig.report.facts import Facts
 from quintrig.report.findings import findings, methods
 from quintrig.report.mathml import mathml
 from quintrig.report.pictures import Image, invariants_shown, overview, picture_count, pictures, readings, render
-from quintrig.report.wording import measure, number, percent, prose
+from quintrig.report.wording import digits_of, measure, percent, prose
 from quintrig.studio import page as studio
 from quintrig.support.files import refuse_unwritable, write_whole
 from quintrig.support.progress import Progress
@@ -142,7 +142,7 @@ def _environment() -> Environment:
     )
     words: dict[str, Any] = {
         "prose": prose,
-        "number": number,
+        "number": digits_of,
         "measure": measure,
         "percent": percent,
         "mathml": mathml,
