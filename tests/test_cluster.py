@@ -112,7 +112,7 @@ def test_a_scheduler_that_is_lost_is_told_in_one_line_and_the_sweep_goes_on_late
         if done >= 32:
             cluster.close()
 
-    with cluster, pytest.raises(QuintrigError, match=r"scheduler .*the same command goes on") as error:
+    with cluster, pytest.raises(QuintrigError, match=r"scheduler .*running it again goes on") as error:
         run(open_sweep(tmp_path / "s", wanted), cluster.scheduler_address, progress=lose)
     assert "\n" not in str(error.value)
     assert 2 <= len(list((tmp_path / "s").glob("part-*"))) < 21

@@ -14,7 +14,7 @@ import quintrig
 import shapes
 from cli_runner import quintrig as run
 from quintrig.exchange.cad.faces import Contents, Face, SpaceCurve, to_model
-from quintrig.exchange.export import SUFFIXES, export
+from quintrig.exchange.export import EXPORT_SUFFIXES, export
 from quintrig.exchange.nets import export_net, model_from_net, polygon, put_into, to_csv
 from quintrig.model.toml import to_toml
 from quintrig.support.errors import ModelError, QuintrigError
@@ -31,7 +31,7 @@ if not os.environ.get("CI"):
 # ------------------------------------------------------------------------------------------- command line
 
 
-@pytest.mark.parametrize("suffix", [s for s in SUFFIXES if s not in (".stp", ".igs", ".csv")])
+@pytest.mark.parametrize("suffix", [s for s in EXPORT_SUFFIXES if s not in (".stp", ".igs", ".csv")])
 def test_export_writes_every_format_and_says_so(suffix, tmp_path):
     out = tmp_path / f"lid{suffix}"
     done = run("export", LID, out)

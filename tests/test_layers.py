@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import quintrig
-from quintrig.analysis.edge_layers import find_layers
+from quintrig.analysis.edge_layers import layers_at_edges
 from quintrig.analysis.integrate import area_means, integrals
 from quintrig.analysis.quadrature import graded
 
@@ -98,10 +98,10 @@ def test_a_layer_is_as_wide_as_the_basis_says():
     for delta in (1e-1, 1e-2, 1e-4):
         # f1' = (π/2)(4 + α) at 0, and S'' = (π/2)² (12 ΔP1 - 5α ΔP0 - 3 (4 + α) ΔP0), all ΔP alike here.
         width = delta / (0.5 * np.pi * (12 + 5 * (4 - delta) - 3 * delta))
-        found = find_layers(quintrig.tensor(flat, (delta - 4, 0, 0, delta - 4)))
+        found = layers_at_edges(quintrig.tensor(flat, (delta - 4, 0, 0, delta - 4)))
         np.testing.assert_allclose(found, (width, np.inf, np.inf, width), rtol=1e-9)
-    assert find_layers(quintrig.tensor(flat, (-4, -4, 0, 1))) == (np.inf,) * 4
-    assert find_layers(quintrig.sphere()) == (np.inf,) * 4
+    assert layers_at_edges(quintrig.tensor(flat, (-4, -4, 0, 1))) == (np.inf,) * 4
+    assert layers_at_edges(quintrig.sphere()) == (np.inf,) * 4
 
 
 @pytest.mark.parametrize("panels", [1, 2, 8])

@@ -10,7 +10,7 @@ import pytest
 import quintrig
 import shapes
 from quintrig.exchange.mesh.files import linear
-from quintrig.exchange.mesh.write import SUFFIXES, MeshOptions, export_mesh
+from quintrig.exchange.mesh.write import MESH_SUFFIXES, MeshOptions, export_mesh
 from quintrig.geometry.exact import exact_surface
 from quintrig.geometry.nurbs import nurbs
 from quintrig.mesh.triangulate import mesh
@@ -181,7 +181,7 @@ def model():
     return Model("Lid é", "mm", tuple(Patch(f"p{k}", None, patch) for k, patch in enumerate(quilt())))
 
 
-@pytest.mark.parametrize("suffix", SUFFIXES)
+@pytest.mark.parametrize("suffix", MESH_SUFFIXES)
 def test_every_format_is_read_by_trimesh_or_meshio_with_the_same_mesh(suffix, tmp_path):
     import meshio
     import trimesh
@@ -332,7 +332,7 @@ def farthest(corners, points):
 
 
 @pytest.mark.parametrize("far", [0.0, 1e4, 1e6, 1e9])
-@pytest.mark.parametrize("suffix", SUFFIXES)
+@pytest.mark.parametrize("suffix", MESH_SUFFIXES)
 def test_a_file_keeps_its_tolerance_far_from_the_origin_or_is_refused(suffix, far, tmp_path):
     path = tmp_path / f"far{suffix}"
     surface = moved(shapes.net(), far)

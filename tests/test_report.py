@@ -25,7 +25,7 @@ from quintrig.quantities.table import QUANTITIES
 from quintrig.report import kinds, pictures, write, write_report
 from quintrig.report.mathml import mathml
 from quintrig.report.pictures import Image
-from quintrig.report.wording import aligned, number, percent, prose, span
+from quintrig.report.wording import aligned, digits_of, percent, prose, span
 from quintrig.support.errors import QuintrigError
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
@@ -368,7 +368,7 @@ def test_a_run_that_fails_keeps_the_page_that_was_there(monkeypatch, tmp_path):
     ],
 )
 def test_numbers_are_rounded_and_set(value, text):
-    assert squeezed(str(number(value))) == text
+    assert squeezed(str(digits_of(value))) == text
 
 
 @pytest.mark.parametrize(

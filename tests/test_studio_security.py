@@ -138,7 +138,7 @@ def endless(path):
         ("a.json", quintrig.load),
         ("a.csv", lambda path: nets.model_from_net(path, {"kind": "tensor"})),
         ("a.json", lambda path: nets.model_from_net(path, {"kind": "tensor"})),
-        *((f"a{suffix}", isolated.read) for suffix in isolated.SUFFIXES),
+        *((f"a{suffix}", isolated.read) for suffix in isolated.CAD_SUFFIXES),
         ("a.toml", lambda path: write_whole(path, "x")),
         ("a.toml", refuse_unwritable),
     ],

@@ -194,7 +194,7 @@ def test_exports_are_those_of_the_exchange_package(running):
     from quintrig.exchange.formats import FAMILIES, FORMATS, suffixes
     from quintrig.exchange.pattern import flatten
 
-    assert {*export.SUFFIXES, *flatten.SUFFIXES} == {*suffixes(*FAMILIES)}
+    assert {*export.EXPORT_SUFFIXES, *flatten.PATTERN_SUFFIXES} == {*suffixes(*FAMILIES)}
     listed = running.json("GET", "/api/formats")[1]["formats"]
     assert [one["suffix"] for one in listed] == [one.suffix for one in FORMATS if one.family != "model"]
     offered = [one["suffix"] for one in listed if not one["reason"]]

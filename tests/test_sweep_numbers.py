@@ -8,7 +8,7 @@ import pytest
 
 import oracle
 import quintrig
-from quintrig.analysis.edge_layers import find_layers
+from quintrig.analysis.edge_layers import layers_at_edges
 from quintrig.analysis.integrate import integrals
 from quintrig.quantities.classify import HK_TYPES
 from quintrig.support.tolerance import SINGULAR
@@ -60,7 +60,7 @@ def nodes_of(task, values, count):
     if is_affine(patch, task.space):
         widths = WIDEST * amounts_above(np.array([patch.shape]) + 4.0, patch.kind == "ruled")[0]
     else:
-        widths = np.array(find_layers(patch.surface))
+        widths = np.array(layers_at_edges(patch.surface))
     a, b, c, d = layer_classes(widths).tolist()
     return drawn_nodes(count, a, b), drawn_nodes(count, c, d)
 

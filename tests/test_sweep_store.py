@@ -257,7 +257,7 @@ def test_a_disk_that_fills_up_is_told_in_one_line_and_the_sweep_goes_on_later(tm
         return replace(self, target)
 
     monkeypatch.setattr(Path, "replace", full)
-    with pytest.raises(QuintrigError, match=r"No space left on device.*the same command goes on") as error:
+    with pytest.raises(QuintrigError, match=r"No space left on device.*running it again goes on") as error:
         run(open_sweep(tmp_path / "s", task(5, 4, 3)))
     assert "\n" not in str(error.value)
     monkeypatch.undo()

@@ -8,6 +8,7 @@ import pytest
 
 import quintrig
 from cli_runner import quintrig as cli
+from quintrig.analysis.agreement import compare_methods
 from quintrig.analysis.integrate import area_means, area_weights, integrals
 from quintrig.analysis.summary import summarise
 from quintrig.analysis.table import tabulate
@@ -17,6 +18,7 @@ from quintrig.exchange.pattern.flatten import FlattenOptions, export_pattern
 from quintrig.exchange.pattern.layout import PatternOptions, bends
 from quintrig.geometry.nurbs import nurbs
 from quintrig.geometry.polygon import polygon
+from quintrig.report.facts import MARKS, marks_of
 
 PI = np.pi
 ROUND = 1e-9  # what is left of a loop's curves in its polygon
@@ -407,3 +409,34 @@ def test_the_carrier_of_a_patch_is_not_trimmed_in_its_definition_either(tmp_path
     again = quintrig.Model.from_dict(quintrig.Model("whole", "mm", (whole,)).to_dict())
     assert again.surface.trim == ()
     assert quintrig.integrals(again.surface).area.value == pytest.approx(100.0, rel=1e-12)
+
+
+# --------------------------------------------------------------------------------------------------------------- report
+
+
+@pytest.mark.parametrize("loops", [[circle(0.3)], [circle(0.45), circle(0.2)[::-1]], [circle(0.01, 0.9, 0.2)]])
+def test_labelled_points_lie_on_the_face(loops):
+    surface = wave(loops)
+    marks = marks_of(surface)
+    assert [mark.label for mark in marks] == list("ABCDEFGHI")
+    u, v = np.array([(mark.u, mark.v) for mark in marks]).T
+    assert surface.inside(u, v).all()
+    assert len({(mark.u, mark.v) for mark in marks}) == 9
+    assert (np.diff(u[[1, 4, 7]]) > 0).all()  # B, E and H stand as on a whole surface
+    assert [(m.u, m.v) for m in marks_of(surface.carrier)] == [(m.u, m.v) for m, _ in MARKS]
+
+
+def test_methods_are_compared_on_the_face_alone():
+    """z = x (1 - x) y has K < 0 where x is not 1/2; its lower part y < 1/2 lies in the loop."""
+    surface = wave([np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 0.5], [0.0, 0.5]])])
+    half = compare_methods(surface, 9, 9)
+    whole = compare_methods(
+        nurbs([[[a, b / 2, h * b / 2] for b in (0.0, 1.0)] for a, h in ((0, 0), (0.5, 0.5), (1, 0))]), 9, 9
+    )
+    assert half.count == sum(half.counts()) == 81
+    assert half.counts() == whole.counts()
+    assert half.shares() == pytest.approx(whole.shares(), abs=1e-12)
+    disc = compare_methods(wave([circle(0.3)]), 41, 41)
+    assert disc.count == sum(disc.counts()) == int(disc.inside.sum()) < 41 * 41
+    assert [table.counts.sum() for table in disc.tables] == [disc.count] * 3
+    assert sum(disc.shares()) == pytest.approx(1.0)

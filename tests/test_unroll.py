@@ -12,7 +12,7 @@ import quintrig
 import shapes
 from quintrig.developables.unroll import Sheet, unroll
 from quintrig.exchange.pattern.drawing import LAYERS
-from quintrig.exchange.pattern.flatten import SUFFIXES, FlattenOptions, export_pattern, overlaps
+from quintrig.exchange.pattern.flatten import PATTERN_SUFFIXES, FlattenOptions, export_pattern, overlaps
 from quintrig.exchange.pattern.layout import PatternOptions, bends, drawing, parts
 from quintrig.model.model import Model
 from quintrig.model.patch import Patch
@@ -357,7 +357,7 @@ def test_wrong_suffix_options_and_targets(tmp_path):
     with pytest.raises(ValueError, match="greater than its margins"):
         PatternOptions(5.0, (10.0, 10.0), 5.0)
     (tmp_path / "p.dxf").mkdir()
-    for suffix in SUFFIXES:
+    for suffix in PATTERN_SUFFIXES:
         target = tmp_path / "folder" / f"p{suffix}"
         export_pattern(strip_patch(), "mm", target)
         assert target.stat().st_size > 1000

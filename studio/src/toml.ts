@@ -2,6 +2,7 @@
 
 import { parse, TomlError } from "smol-toml";
 
+import { beyond } from "./toml-strict";
 import { ModelError, toDict, type Model } from "./numerics/model";
 
 const DEEPEST = 20;
@@ -30,11 +31,13 @@ function spell(value: unknown, indent = ""): string {
   return `[\n${value.map((item) => `${indent}    ${spell(item, `${indent}    `)},\n`).join("")}${indent}]`;
 }
 
-/** Read TOML 1.0 and 1.1; ModelError in one line, with the place, for what is none. */
+/** Read TOML 1.0, as Python does; ModelError in one line, with the place, for what is none. */
 export function fromToml(text: string): Record<string, unknown> {
   try {
     // A file may begin with a byte order mark, as Python reads it.
-    const { ...table } = parse(text.replace(/^\uFEFF/, ""), { integersAsBigInt: "asNeeded", maxDepth: DEEPEST });
+    const source = text.replace(/^\uFEFF/, ""), { ...table } = parse(source, { integersAsBigInt: "asNeeded", maxDepth: DEEPEST });
+    const newer = beyond(source);
+    if (newer) throw new ModelError(`not valid TOML: ${newer.what} (at line ${newer.line}, column ${newer.column})`);
     return numbers(table) as Record<string, unknown>;
   } catch (error) {
     if (!(error instanceof TomlError)) throw error;

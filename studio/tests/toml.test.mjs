@@ -1,6 +1,7 @@
 // Model files as TOML: what is written is read back as it was.
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import lists from "../../tests/data/toml_1_0.json" with { type: "json" };
 import data from "../src/data.json" with { type: "json" };
 import { load } from "./load.mjs";
 
@@ -23,3 +24,11 @@ for (const name of ['with "quotes" and \\', "ε, 日本, 🦋", "\ta tab"]) {
 test("a mistake is told with its place", () => {
   assert.throws(() => fromToml("kind = "), /^Error: not valid TOML: .* \(at line 1, column \d+\)$/);
 });
+
+for (const [text, line] of lists.refused) {
+  test(`${JSON.stringify(text)} is refused, as by Python`, () => {
+    assert.throws(() => fromToml(text), new RegExp(`^Error: not valid TOML: .* \\(at line ${line}, column \\d+\\)$`));
+  });
+}
+
+for (const text of lists.read) test(`${JSON.stringify(text)} is read, as by Python`, () => void fromToml(text));

@@ -26,7 +26,7 @@ from numpy.typing import NDArray
 
 from quintrig.analysis.integrate import area_weights, orientation
 from quintrig.analysis.sample import analyse
-from quintrig.geometry.domain import grid
+from quintrig.geometry.domain import face_grid
 from quintrig.geometry.surface import Surface
 from quintrig.quantities.classify import HK_TYPES, INVARIANT_TYPES, SHAPE_CLASSES, Thresholds
 from quintrig.quantities.correspondence import (
@@ -137,13 +137,15 @@ class Agreement:
     """The comparison of the three methods over a grid.
 
     ``u`` (nu, 1) and ``v`` (1, nv) are the grid; ``reason`` (nu, nv) indexes ``REASONS``, ``level`` (nu, nv)
-    ``LEVELS``, ``weights`` (nu, nv) are shares of the area, sum 1. ``turned`` points were turned to be seen from above.
+    ``LEVELS``, ``weights`` (nu, nv) are shares of the area, sum 1, ``inside`` (nu, nv) is false off a trimmed face,
+    whose points count nowhere. ``turned`` points were turned to be seen from above.
     """
 
     u: FloatArray
     v: FloatArray
     reason: IntArray
     weights: FloatArray
+    inside: BoolArray
     tables: tuple[CrossTable, CrossTable, CrossTable]
     turned: int
     thresholds: Thresholds
@@ -154,6 +156,7 @@ class Agreement:
         """Return one line: how many points, and the share of the area of each level."""
         agree, near, apart = (100.0 * self.share(level) for level in ("agree", "neighbouring", "conflict"))
         points = " x ".join(map(str, self.reason.shape))
+        points += f", {self.count} on the face," if self.count < self.reason.size else ""
         return f"<Agreement at {points} points: {agree:.4g} % agree, {near:.4g} % near, {apart:.4g} % conflict>"
 
     @property
@@ -161,9 +164,14 @@ class Agreement:
         """Code of the level at every point: the worst of the three comparisons."""
         return np.array([reason.level for reason in REASONS], dtype=np.int8)[self.reason]
 
+    @property
+    def count(self) -> int:
+        """Number of points that count: those on the face."""
+        return int(self.inside.sum())
+
     def counts(self) -> tuple[int, ...]:
         """Return the number of points of each reason."""
-        return tuple(int(n) for n in np.bincount(self.reason.reshape(-1), minlength=len(REASONS)))
+        return tuple(int(n) for n in np.bincount(self.reason[self.inside], minlength=len(REASONS)))
 
     def shares(self) -> tuple[float, ...]:
         """Return the share of the area of each reason, sum 1."""
@@ -177,7 +185,7 @@ class Agreement:
 
     def describe(self) -> tuple[str, ...]:
         """Return the result in words, one sentence each."""
-        if self.counts()[_SINGULAR] == self.reason.size:
+        if self.counts()[_SINGULAR] == self.count:
             return ("Every point is singular: the surface has no area, and no method says anything.",)
         told = [
             f"The three methods agree on {self.share('agree'):.1%} of the area, name neighbouring classes on "
@@ -190,15 +198,19 @@ class Agreement:
         ]
         if self.turned:
             told.append(
-                f"At {self.turned} of {self.reason.size} points the normal points down; there HK type and shape class "
+                f"At {self.turned} of {self.count} points the normal points down; there HK type and shape class "
                 "were turned over before they were compared with the invariants, which look from above."
             )
         return tuple(told)
 
 
 def compare_methods(surface: Surface, nu: int = 65, nv: int = 65, thresholds: Thresholds | None = None) -> Agreement:
-    """Compare HK types, shape classes and invariant types at nu x nv points; ValueError for fewer than 2 a side."""
-    u, v = grid(nu, nv)
+    """Compare HK types, shape classes and invariant types at nu x nv points; ValueError for fewer than 2 a side.
+
+    Of a trimmed face the grid spans its loops, and only points inside count.
+    """
+    u, v = face_grid(surface, nu, nv)
+    inside = surface.inside(u, v)
     keys = ("hk_type", "shape_class", "invariant_type", "normal", "E", "F", "G")
     sample = analyse(surface, u, v, keys, thresholds=thresholds)
     hk, shape, heights = (sample[key].astype(np.int8) for key in keys[:3])
@@ -210,13 +222,22 @@ def compare_methods(surface: Surface, nu: int = 65, nv: int = 65, thresholds: Th
     hk_above, shape_above = _turned("hk_type", hk, down), _turned("shape_class", shape, down)
     weights = area_weights(sample)
     tables = (
-        _cross(PAIRS[0], hk, shape, weights),
-        _cross(PAIRS[1], hk_above, heights, weights),
-        _cross(PAIRS[2], shape_above, heights, weights),
+        _cross(PAIRS[0], hk, shape, weights, inside),
+        _cross(PAIRS[1], hk_above, heights, weights, inside),
+        _cross(PAIRS[2], shape_above, heights, weights, inside),
     )
     reason = _reasons(hk, shape, hk_above, heights, vertical)
     return Agreement(
-        u, v, reason, weights, tables, int(down.sum()), sample.thresholds, sample.size, orientation(surface)
+        u,
+        v,
+        reason,
+        weights,
+        inside,
+        tables,
+        int((down & inside).sum()),
+        sample.thresholds,
+        sample.size,
+        orientation(surface),
     )
 
 
@@ -245,14 +266,16 @@ def _reasons(hk: IntArray, shape: IntArray, hk_above: IntArray, heights: IntArra
     return reason
 
 
-def _cross(pair: tuple[str, str], row_codes: IntArray, column_codes: IntArray, weights: FloatArray) -> CrossTable:
+def _cross(
+    pair: tuple[str, str], row_codes: IntArray, column_codes: IntArray, weights: FloatArray, inside: BoolArray
+) -> CrossTable:
     rows, columns = pair
     names = {"hk_type": HK_TYPES, "shape_class": SHAPE_CLASSES, "invariant_type": INVARIANT_TYPES}
     row_names, column_names = names[rows], names[columns]
     level = {PAIRS[0]: HK_VERSUS_CLASS, PAIRS[1]: HK_VERSUS_HEIGHT, PAIRS[2]: CLASS_VERSUS_HEIGHT}[rows, columns]
     shape = (len(row_names), len(column_names))
     index = row_codes.reshape(-1).astype(np.int64) * shape[1] + column_codes.reshape(-1)
-    counts = np.bincount(index, minlength=shape[0] * shape[1]).reshape(shape)
+    counts = np.bincount(index[inside.reshape(-1)], minlength=shape[0] * shape[1]).reshape(shape)
     shares: FloatArray = np.zeros(shape[0] * shape[1])
     np.add.at(shares, index, weights.reshape(-1))
     return CrossTable(rows, columns, row_names, column_names, level, counts, shares.reshape(shape))

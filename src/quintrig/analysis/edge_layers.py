@@ -19,7 +19,7 @@ _CLEAR = 1 / 4  # from a singular point, such as a corner, whose nearness is no 
 _THIN = 1 / 32  # equal panels resolve wider layers
 
 
-def find_layers(surface: Surface) -> Layers:
+def layers_at_edges(surface: Surface) -> Layers:
     """Return the widths of thin layers along the edges, infinite where there is none.
 
     The width is |N| / |∂N| across the edge, N = S_u × S_v, at the point of the edge where it is least. Points where

@@ -15,7 +15,7 @@ from typing import Literal
 
 import numpy as np
 
-from quintrig.analysis.edge_layers import Layers, find_layers
+from quintrig.analysis.edge_layers import Layers, layers_at_edges
 from quintrig.analysis.quadrature import (
     MOST_NODES,
     Density,
@@ -175,7 +175,7 @@ def integrals(surface: Surface, tolerance: float = 1e-9, panels: int = 64) -> In
     reach = float(np.abs(surface(*grid(3, 3))).max())
     rounding = (_LAST * reach) ** 2 * np.array([1.0, 0.0, 0.0, 0.0, 1e4, 0.0])
 
-    layers = find_layers(surface)
+    layers = layers_at_edges(surface)
     domain = region_share(surface)
 
     def measure(count: int) -> tuple[FloatArray, FloatArray, FloatArray]:
@@ -218,7 +218,7 @@ def area_means(surface: Surface, keys: Sequence[str], tolerance: float = 1e-5, p
     rows = [_scalar(key) for key in keys]
     size = surface.size
     per_size = 1.0 / size if size > 0.0 else 0.0
-    layers = find_layers(surface)
+    layers = layers_at_edges(surface)
 
     def measure(count: int) -> tuple[FloatArray, FloatArray, FloatArray]:
         sums = _sums(surface, lambda u, v: _moments(surface, keys, u, v), _panels(surface, count, layers))

@@ -100,11 +100,11 @@ def _results(
     progress: "Callable[[str, int, int], None]",
 ) -> dict[Path, str | bytes]:
     """Return the files to write, the page first: all is made before anything is written."""
-    from quintrig.exchange.tables import SUFFIXES, WRITERS
+    from quintrig.exchange.tables import TABLE_FORMATS, WRITERS
     from quintrig.report.shape_effect_page import page, pictures
 
     drawn = pictures(found, keys, view, table.title.partition(": effect")[0], progress)
     if out.suffix.lower() == ".html":
         return {out: page(found, table, drawn)}
-    tables = {out / f"intensities{suffix}": WRITERS[form](table) for suffix, form in SUFFIXES.items()}
+    tables = {out / f"intensities{suffix}": WRITERS[form](table) for suffix, form in TABLE_FORMATS.items()}
     return {out / "index.html": page(found, table, drawn), **{out / one.name: one.png for one in drawn}, **tables}

@@ -73,9 +73,9 @@ def import_(
         _net(file, output, face, curve, shape, raw, into, key, patch, force)
         return
     from quintrig.exchange.imports import open_model
-    from quintrig.exchange.nets import SUFFIXES, model_from_net
+    from quintrig.exchange.nets import NET_SUFFIXES, model_from_net
 
-    if output.suffix.lower() not in SUFFIXES:
+    if output.suffix.lower() not in NET_SUFFIXES:
         raise QuintrigError(f"{output}: expected a name ending in .toml, .json or .csv; quintrig export writes others")
     is_net = file.suffix.lower() in (".csv", ".json")
     if not is_net and file.suffix.lower() not in (*CAD_SUFFIXES, ".toml"):

@@ -76,11 +76,11 @@ def _draw(model: "Model", result: "Joins", output: Path) -> None:
 
 
 def _tell(result: "Joins", model: Path, as_json: bool, output: Path | None) -> None:
-    from quintrig.exchange.tables import SUFFIXES, WRITERS
+    from quintrig.exchange.tables import TABLE_FORMATS, WRITERS
 
-    chosen = SUFFIXES.get(output.suffix.lower()) if output and str(output) != "-" else None
+    chosen = TABLE_FORMATS.get(output.suffix.lower()) if output and str(output) != "-" else None
     if output and not chosen and not as_json:
-        raise ValueError(f"{output}: expected a name ending in {', '.join((*SUFFIXES, *_PICTURES))}")
+        raise ValueError(f"{output}: expected a name ending in {', '.join((*TABLE_FORMATS, *_PICTURES))}")
     if as_json or chosen == "json":
         session.deliver(json.dumps(result.to_dict(), ensure_ascii=False, indent=1) + "\n", output, model)
     elif chosen:

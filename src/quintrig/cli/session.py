@@ -42,7 +42,7 @@ def _load(path: Path, face: int | None) -> "Model":
         from quintrig.exchange.cad import isolated
         from quintrig.exchange.imports import open_model
 
-        if face is not None or path.suffix.lower() in isolated.SUFFIXES:
+        if face is not None or path.suffix.lower() in isolated.CAD_SUFFIXES:
             return open_model(path, None if face is None else [face])
     from quintrig.model import model
 

@@ -129,14 +129,14 @@ def _of_curve(model: "Model", name: str | None, at: Sequence[str] | None, grid: 
 
 def _format(form: str | None, output: Path | None) -> str:
     """Return the format asked for, or the one of the file's ending; ValueError where neither tells."""
-    from quintrig.exchange.tables import SUFFIXES
+    from quintrig.exchange.tables import TABLE_FORMATS
 
     if output is None:
         return form or "text"
-    chosen = form or SUFFIXES.get(output.suffix.lower())
+    chosen = form or TABLE_FORMATS.get(output.suffix.lower())
     if chosen is None or chosen == "text":
         raise ValueError(
-            f"{output}: expected a name ending in {', '.join(SUFFIXES)}, or --format csv, json, md or latex"
+            f"{output}: expected a name ending in {', '.join(TABLE_FORMATS)}, or --format csv, json, md or latex"
         )
     return chosen
 

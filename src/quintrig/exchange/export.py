@@ -13,7 +13,7 @@ from quintrig.exchange.nets import export_net, net_paths
 from quintrig.model.model import Model
 from quintrig.support.errors import QuintrigError, nearest
 
-SUFFIXES = (*cad.SUFFIXES, *meshes.SUFFIXES, *nets.SUFFIXES)
+EXPORT_SUFFIXES = (*cad.CAD_WRITTEN, *meshes.MESH_SUFFIXES, *nets.NET_SUFFIXES)
 """Every ending that ``export`` knows."""
 
 _MOST_SEAMS = 8  # that are told one by one
@@ -54,18 +54,18 @@ def export(model: Model, path: str | Path, options: ExportOptions | None = None)
     path, options = Path(path), options or ExportOptions()
     suffix = path.suffix.lower()
     replaced = tuple(one for one in targets(model, path) if one.is_file())
-    if suffix in cad.SUFFIXES:
+    if suffix in cad.CAD_WRITTEN:
         return Written((path,), (*export_cad(model, path, options.cad), *_open_seams(model)), replaced)
-    if suffix in meshes.SUFFIXES:
+    if suffix in meshes.MESH_SUFFIXES:
         return Written((path,), (*export_mesh(model, path, options.mesh), *_open_seams(model)), replaced)
-    if suffix in nets.SUFFIXES:
+    if suffix in nets.NET_SUFFIXES:
         paths = export_net(model, path)
         several = (f"{len(paths)} nets of points, a file for each",) if len(paths) > 1 else ()
         return Written(paths, several, replaced)
-    expected = f"{path}: expected a file ending in {', '.join(SUFFIXES)}"
+    expected = f"{path}: expected a file ending in {', '.join(EXPORT_SUFFIXES)}"
     if suffix in suffixes("pattern"):
         raise QuintrigError(expected, remedy="export_pattern writes flat patterns", key="pattern")
-    raise QuintrigError(f"{expected}{nearest(suffix, SUFFIXES)}")
+    raise QuintrigError(f"{expected}{nearest(suffix, EXPORT_SUFFIXES)}")
 
 
 def _open_seams(model: Model) -> tuple[str, ...]:

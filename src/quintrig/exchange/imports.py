@@ -8,7 +8,7 @@ from quintrig.exchange.cad.faces import Contents, to_model
 from quintrig.model.model import Model, load
 from quintrig.support.errors import QuintrigError
 
-CAD_SUFFIXES = isolated.SUFFIXES
+CAD_SUFFIXES = isolated.CAD_SUFFIXES
 """Endings of the files that are read as CAD."""
 
 

@@ -20,7 +20,7 @@ from quintrig.support.errors import ModelError, QuintrigError, nearest, printabl
 from quintrig.support.files import write_whole
 from quintrig.support.parsing import parse
 
-SUFFIXES = suffixes("net", "model")
+NET_SUFFIXES = suffixes("net", "model")
 """Endings of the files that hold control nets: numbers alone, or whole models."""
 
 

@@ -72,7 +72,7 @@ WRITERS: dict[str, Callable[[Table], str]] = {
 }
 """Writer by format."""
 
-SUFFIXES: dict[str, str] = {".csv": "csv", ".json": "json", ".md": "md", ".tex": "latex"}
+TABLE_FORMATS: dict[str, str] = {".csv": "csv", ".json": "json", ".md": "md", ".tex": "latex"}
 """Format by the ending of a file's name."""
 
 

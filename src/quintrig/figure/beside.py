@@ -10,7 +10,17 @@ from numpy.typing import NDArray
 
 from quintrig.figure.camera import BACK, SIDE, TOP
 from quintrig.figure.field import common_limits, facet_fields, levels_of
-from quintrig.figure.flat import draw_colours, draw_map, draw_marks, dress, lines_note, map_axes, map_fields, zero_sets
+from quintrig.figure.flat import (
+    draw_colours,
+    draw_map,
+    draw_marks,
+    draw_trim,
+    dress,
+    lines_note,
+    map_axes,
+    map_fields,
+    zero_sets,
+)
 from quintrig.figure.frame import equal_scale, panel_size, stacked_scale
 from quintrig.figure.legend import draw_class_list, draw_key, key_height, list_height
 from quintrig.figure.palette import SERIES
@@ -20,7 +30,9 @@ from quintrig.figure.space import draw_space
 from quintrig.figure.style import STANDARD, Style
 from quintrig.figure.whole import panel_title, several
 from quintrig.figure.wording import note
+from quintrig.geometry.domain import face_grid
 from quintrig.geometry.surface import Surface
+from quintrig.geometry.trimmed import window
 from quintrig.quantities.classify import Thresholds
 
 
@@ -120,6 +132,7 @@ def code_map(
     names: Sequence[str],
     colours: Sequence[str],
     *,
+    face: Surface | None = None,
     marks: Sequence[Mark] = (),
     title: str = "",
     note: str = "",
@@ -128,16 +141,21 @@ def code_map(
 ) -> Figure:
     """Return a map over (u, v) of any codes 0, 1, ... (n, m), first index along u, at the middles of equal cells.
 
-    It serves where the codes are no quantity of the table, such as where two classifications agree.
+    It serves where the codes are no quantity of the table, such as where two classifications agree. Where they are of a
+    trimmed ``face``, they span its loops.
     """
     width = width / style.factor
     rgb = np.array([to_rgb(colour) for colour in colours])
     side = width - 0.2
-    seen = sorted({int(code) for code in np.unique(codes)})
+    trim = face.trim if face else ()
+    counted = codes[face.inside(*face_grid(face, *codes.shape))] if face and trim else codes
+    seen = sorted({int(code) for code in np.unique(counted)})
     shown = [names[code] for code in seen]
     page = sheet(1, (side, side), title=title, note=note, key="below", key_size=list_height(shown, side), style=style)
     axes = map_axes(page.panels[0])
-    draw_colours(axes, rgb[np.asarray(codes, dtype=np.intp)])
+    draw_colours(axes, rgb[np.asarray(codes, dtype=np.intp)], window(trim))
+    if face:
+        draw_trim(axes, face)
     draw_marks(axes, marks)
     dress(axes)
     draw_class_list(page.keys[0], "", shown, [colours[code] for code in seen])

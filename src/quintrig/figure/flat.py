@@ -12,6 +12,7 @@ from quintrig.figure.scene import Mark
 from quintrig.figure.sheet import Area, Axes, drawable
 from quintrig.figure.wording import zeros_note
 from quintrig.geometry.surface import Surface
+from quintrig.geometry.trimmed import window
 from quintrig.quantities.classify import Thresholds
 from quintrig.quantities.table import quantity
 from quintrig.support.arrays import FloatArray
@@ -83,18 +84,20 @@ def zero_sets(surface: Surface, f: Field) -> Zeros:
     return {key: lines for key, lines in found.items() if lines}
 
 
-def draw_colours(axes: Axes, colours: FloatArray) -> None:
-    """Draw cells (n, m, 3) of colours over the square, the first index along u."""
+def draw_colours(axes: Axes, colours: FloatArray, over: FloatArray | None = None) -> None:
+    """Draw cells (n, m, 3) of colours over the square, or from the first to the second (u, v) of ``over``."""
+    (u0, v0), (u1, v1) = window(()) if over is None else over
     picture = np.ascontiguousarray(colours.transpose(1, 0, 2))
     axes.imshow(
         picture,
         origin="lower",
-        extent=(0.0, 1.0, 0.0, 1.0),
+        extent=(u0, u1, v0, v1),
         interpolation="nearest",
         aspect="equal",
         zorder=1,
         rasterized=True,
     )
+    axes.set(xlim=(0.0, 1.0), ylim=(0.0, 1.0))
 
 
 def draw_trim(axes: Axes, surface: Surface) -> None:

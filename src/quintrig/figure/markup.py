@@ -14,6 +14,7 @@ from quintrig.figure.scene import Mark
 from quintrig.figure.shade import Paint, strokes
 from quintrig.figure.sheet import drawable
 from quintrig.figure.wording import point_text
+from quintrig.geometry.domain import on_face
 from quintrig.geometry.surface import Surface
 from quintrig.support.arrays import FloatArray
 
@@ -54,7 +55,7 @@ def draw_dots(stage: Stage, points: FloatArray, meshes: list[FloatArray], colour
 
 def draw_normal(stage: Stage, surface: Surface, meshes: list[FloatArray]) -> None:
     """Draw the normal near the middle of the patch, faint where the surface covers it."""
-    for u, v in ((0.5, 0.5), (0.37, 0.41), (0.61, 0.33)):
+    for u, v in zip(*on_face(surface, *np.array([(0.5, 0.5), (0.37, 0.41), (0.61, 0.33)]).T), strict=True):
         sample = analyse(surface, u, v, ("point", "normal"))
         if np.isfinite(sample.normal).all():
             break

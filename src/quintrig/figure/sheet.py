@@ -52,7 +52,7 @@ class Area:
 
 
 @dataclass(frozen=True)
-class Sheet:
+class Page:
     """A figure with its ``panels`` in reading order and the areas for their ``keys``."""
 
     figure: Figure
@@ -72,7 +72,7 @@ def sheet(
     key: KeyPlace = "none",
     key_size: float = 0.55,
     style: Style = STANDARD,
-) -> Sheet:
+) -> Page:
     """Lay out ``count`` panels of ``panel`` inches; ``widths`` gives each column its own width.
 
     The ``style`` says whether the title and the note are set; titles of panels stay, which tell them apart.
@@ -111,7 +111,7 @@ def sheet(
         keys.append(Area(figure, width - _EDGE - key_size, bottom, key_size, height - top - bottom))
     if key == "below":
         keys.append(Area(figure, _EDGE, bottom, width - 2 * _EDGE, key_size))
-    return Sheet(figure, tuple(panels), tuple(keys))
+    return Page(figure, tuple(panels), tuple(keys))
 
 
 def columns_for(width: float, count: int, wanted: int) -> int:

@@ -14,9 +14,9 @@ from quintrig.geometry.surface import Net, Surface
 from quintrig.kernel.blocks import increment_blocks, pad
 from quintrig.kernel.driver import GRID, ROWS, driver
 from quintrig.kernel.outputs import (
-    CODE_PLANES,
+    CODE_COUNT,
     CODE_SLOTS,
-    FLOAT_PLANES,
+    FLOAT_COUNT,
     FLOAT_SLOTS,
     FULL,
     Addresses,
@@ -203,8 +203,8 @@ class _Outputs(NamedTuple):
 
 
 def _outputs(planes: Planes, at: Settings) -> _Outputs:
-    floats: Addresses = np.zeros(FLOAT_PLANES, np.int64)
-    codes: Addresses = np.zeros(CODE_PLANES, np.int64)
+    floats: Addresses = np.zeros(FLOAT_COUNT, np.int64)
+    codes: Addresses = np.zeros(CODE_COUNT, np.int64)
     for key, array in planes.items():
         to, slot = (codes, CODE_SLOTS[key]) if BY_KEY[key].kind == "class" else (floats, FLOAT_SLOTS[key])
         for x, plane in enumerate(array):

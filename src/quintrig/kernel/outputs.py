@@ -55,8 +55,8 @@ def _slots() -> tuple[dict[str, int], dict[str, int]]:
 FLOAT_SLOTS, CODE_SLOTS = _slots()
 """Index of the first plane of each real quantity, and of the plane of each classification."""
 
-FLOAT_PLANES = sum(q.components for q in QUANTITIES if q.kind != "class")
-CODE_PLANES = len(CODE_SLOTS)
+FLOAT_COUNT = sum(q.components for q in QUANTITIES if q.kind != "class")
+CODE_COUNT = len(CODE_SLOTS)
 
 
 def _run(*keys: str) -> int:
@@ -86,7 +86,7 @@ _K, _H, _K1, _K2, _S, _CURVED, _A, _B, _C, _R, _CODE = range(PARTIALS, PARTIALS 
 _N, _E1, _E2, SCRATCH_ROWS = range(_CODE + 1, _CODE + 11, 3)
 # After the rows, a cache line for each plane
 _KEPT = SCRATCH_ROWS * BLOCK
-SCRATCH = _KEPT + LINE * FLOAT_PLANES
+SCRATCH = _KEPT + LINE * FLOAT_COUNT
 """Numbers in scratch."""
 # The partial derivatives' rows are free again once the frame is known.
 _OUT = DU

@@ -10,7 +10,8 @@ from quintrig.analysis.sample import analyse
 from quintrig.analysis.summary import Summary, summarise
 from quintrig.analysis.table import Table, tabulate
 from quintrig.figure import Mark
-from quintrig.geometry.domain import grid as between
+from quintrig.geometry.domain import face_grid, on_face
+from quintrig.geometry.surface import Surface
 from quintrig.model.patch import Patch
 from quintrig.quantities.classify import Thresholds
 from quintrig.quantities.table import BY_KEY
@@ -35,7 +36,7 @@ MARKS: tuple[tuple[Mark, str], ...] = tuple(
         ("I", 1.0, 1.0, "corner"),
     )
 )
-"""The labelled points and what they are."""
+"""The labelled points of a whole surface and what they are."""
 
 _STEEP = 0.1  # n_z: the slope is 10, and γ1 and γ3 in the metric of the plane a thousand times those of the surface
 
@@ -44,9 +45,10 @@ _STEEP = 0.1  # n_z: the slope is 10, and γ1 and γ3 in the metric of the plane
 class Facts:
     """What is known of a patch.
 
-    ``variants`` are its own, first, and the thesis's sets of shape parameters, empty where none act; ``middle`` is the
-    normal at u = v = 1/2, NaN where that point is singular. ``steep`` says that the tangent plane comes so near to
-    vertical that maps of the invariants in the metric of the plane would show little else.
+    ``variants`` are its own, first, and the thesis's sets of shape parameters, empty where none act; ``marks`` are the
+    labelled points and ``middle`` is the normal at the one called E, u = v = 1/2 of a whole surface, NaN where that is
+    singular. ``steep`` says that the tangent plane comes so near to vertical that maps of the invariants in the metric
+    of the plane would show little else.
     """
 
     patch: Patch
@@ -54,10 +56,17 @@ class Facts:
     thresholds: Thresholds
     summary: Summary
     agreement: Agreement
+    marks: tuple[Mark, ...]
     points: Table
     variants: tuple[Variant, ...]
     middle: tuple[float, float, float]
     steep: bool
+
+
+def marks_of(surface: Surface) -> tuple[Mark, ...]:
+    """Return the labelled points: corners, middles and centre, or those of a trimmed face nearest to them."""
+    u, v = on_face(surface, *np.array([(mark.u, mark.v) for mark, _ in MARKS]).T)
+    return tuple(Mark(float(a), float(b), mark.label) for a, b, (mark, _) in zip(u, v, MARKS, strict=True))
 
 
 def steps(patch: Patch, detailed: bool) -> int:
@@ -72,7 +81,8 @@ def gather(patch: Patch, unit: str, thresholds: Thresholds, grid: int, detailed:
     summary = summarise(surface, unit, thresholds, grid)
     report("comparison of the methods")
     agreement = compare_methods(surface, grid, grid, thresholds)
-    u, v = np.array([(mark.u, mark.v) for mark, _ in MARKS]).T
+    marks = marks_of(surface)
+    u, v = np.array([(mark.u, mark.v) for mark in marks]).T
     points = tabulate(surface, u, v, tuple(BY_KEY), unit=unit, thresholds=thresholds)
     variants: list[Variant] = []
     for other in _others(patch) if detailed else ():
@@ -80,11 +90,13 @@ def gather(patch: Patch, unit: str, thresholds: Thresholds, grid: int, detailed:
         variants.append(variant(other, unit))
     if variants:
         variants.insert(0, Variant(patch.shape, patch, summary, own=True))
-    middle = analyse(surface, 0.5, 0.5, ("normal",)).normal
+    centre = marks[4]
+    middle = analyse(surface, centre.u, centre.v, ("normal",)).normal
     x, y, z = (float(part) for part in middle)
-    upright = analyse(surface, *between(grid, grid), ("normal",)).normal[..., 2]
-    steep = bool((np.abs(upright) < _STEEP).any())
-    return Facts(patch, unit, thresholds, summary, agreement, points, tuple(variants), (x, y, z), steep)
+    over = face_grid(surface, grid, grid)
+    upright = analyse(surface, *over, ("normal",)).normal[..., 2]
+    steep = bool(((np.abs(upright) < _STEEP) & surface.inside(*over)).any())
+    return Facts(patch, unit, thresholds, summary, agreement, marks, points, tuple(variants), (x, y, z), steep)
 
 
 def has_effect(patch: Patch) -> bool:

@@ -11,7 +11,7 @@ from quintrig.analysis.summary import Summary
 from quintrig.developables.regression import inner_regression
 from quintrig.quantities.table import BY_KEY
 from quintrig.report.facts import Facts, rounding, standard
-from quintrig.report.wording import listed, measure, number, pair, percent, prose, span
+from quintrig.report.wording import digits_of, listed, measure, pair, percent, prose, span
 from quintrig.shaping.shape_effect import Variant
 
 _FORMS = (
@@ -149,4 +149,4 @@ def _effect(facts: Facts) -> Iterator[Markup]:
         return
     yield Markup(
         "Of the thesis’s sets of shape parameters, {} bends it least and {} most: the bending energy is {} against {}."
-    ).format(prose(least.parameters), prose(most.parameters), number(bending(least), 3), number(bending(most), 3))
+    ).format(prose(least.parameters), prose(most.parameters), digits_of(bending(least), 3), digits_of(bending(most), 3))

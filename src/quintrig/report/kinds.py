@@ -10,7 +10,7 @@ from markupsafe import Markup
 from quintrig.basis.formulas import Basis
 from quintrig.model.patch import Patch
 from quintrig.report.mathml import mathml
-from quintrig.report.wording import number
+from quintrig.report.wording import digits_of
 
 MOST_POINTS = 400
 """Control points that the page lists of each net; the rest are in the model file."""
@@ -68,7 +68,7 @@ def shape_text(patch: Patch) -> Markup:
         return Markup("")
     parts = [
         Markup("<i>{}</i>{} = {}").format(
-            name[0], Markup("<sub>{}</sub>").format(name[1]) if name[1:] else "", number(x)
+            name[0], Markup("<sub>{}</sub>").format(name[1]) if name[1:] else "", digits_of(x)
         )
         for name, x in zip(names, patch.shape, strict=True)
     ]

@@ -27,7 +27,7 @@ from quintrig.model.model import Model
 from quintrig.model.patch import Patch
 from quintrig.multipatch.joins import Joins
 from quintrig.quantities.table import BY_KEY
-from quintrig.report.facts import MARKS, Facts, has_effect
+from quintrig.report.facts import Facts, has_effect
 from quintrig.report.wording import percent
 
 _DPI = 144
@@ -117,7 +117,7 @@ def picture_count(patch: Patch, detailed: bool) -> int:
 def _lead(facts: Facts) -> Picture:
     surface = facts.patch.surface
     net = surface.net is not None
-    marks = tuple(mark for mark, _ in MARKS)
+    marks = facts.marks
     scene = Scene(net=net, isolines=7, marks=marks, normal=True)
     low, high = facts.summary.box
     spans = " by ".join(f"{b - a:.3g}" for a, b in zip(low, high, strict=True))
@@ -138,7 +138,7 @@ def readings(facts: Facts) -> tuple[tuple[str, str], ...]:
 
 def _fields(facts: Facts, keys: Sequence[str]) -> Iterator[Picture]:
     surface, limits = facts.patch.surface, facts.thresholds
-    marks = [mark for mark, _ in MARKS]
+    marks = facts.marks
     for key in keys:
         name, told = BY_KEY[key].name, _told(facts, key)
         space = partial(space_picture, surface, key, unit=facts.unit, thresholds=limits, width=_SPACE)
@@ -191,7 +191,9 @@ def _agreement(facts: Facts) -> Picture:
     return Picture(
         "agreement",
         alt,
-        partial(code_map, found.reason, names, REASON_COLOURS, marks=[mark for mark, _ in MARKS], width=_HALF),
+        partial(
+            code_map, found.reason, names, REASON_COLOURS, face=facts.patch.surface, marks=facts.marks, width=_HALF
+        ),
     )
 
 

@@ -18,7 +18,7 @@ from quintrig.quantities.table import BY_KEY, CLASSES, QUANTITIES
 from quintrig.report.facts import Facts, rounding
 from quintrig.report.kinds import Net
 from quintrig.report.mathml import mathml
-from quintrig.report.wording import aligned, measure, number, pair, percent, prose, ten
+from quintrig.report.wording import aligned, digits_of, measure, pair, percent, prose, ten
 from quintrig.shaping.shape_effect import AS_GIVEN, Variant, intensities
 
 LEVEL_MARKS = ("", "✓", "≈", "✗")
@@ -137,13 +137,13 @@ def _place(found: Extreme, size: float) -> Markup:
     near = Markup("near ") if found.status == "unbounded" else Markup("")
     star = Markup("") if found.unique or near else Markup("\u202f†")
     decimals = 4 - math.floor(math.log10(size)) if size > 0.0 else 0
-    point = Markup(",\u00a0").join(number(round(float(x), decimals) + 0.0, 5) for x in found.point)
+    point = Markup(",\u00a0").join(digits_of(round(float(x), decimals) + 0.0, 5) for x in found.point)
     return near + pair(found.u, found.v) + star + Markup('<span class="unit">({})</span>').format(point)
 
 
 def _extreme(found: Extreme, unit: str, sign: str, noise: float) -> Markup:
     if found.status == "undefined":
-        return number(float("nan"))
+        return digits_of(float("nan"))
     if found.status == "unbounded":
         return Markup(f"{sign}∞")
     return measure(0.0 if abs(found.value) <= noise else found.value, unit, 4)
@@ -157,7 +157,7 @@ def integrals_table(summary: Summary) -> Grid:
         unit = q.unit(summary.unit)
         grows = found.status == "grows without bound"
         value = Markup("∞") if grows else measure(0.0 if abs(found.value) <= found.error else found.value, unit, 8)
-        error = escape(found.status) if not found.converged else Markup("± ") + number(found.error, 1)
+        error = escape(found.status) if not found.converged else Markup("± ") + digits_of(found.error, 1)
         name = prose(q.name) + Markup('<span class="unit says">{}</span>').format(prose(q.meaning))
         rows.append((name, mathml(q.latex), value, error))
     heads = tuple(Markup(text) for text in ("integral", "definition", "value", "error"))

@@ -19,7 +19,7 @@ _RAISED = re.compile(
 )
 
 
-def number(value: float, digits: int = 4) -> Markup:
+def digits_of(value: float, digits: int = 4) -> Markup:
     """Return a number with this many significant digits, a power of ten where it is very large or small."""
     if math.isnan(value):
         return Markup(_DASH)
@@ -46,7 +46,7 @@ def ten(power: int, times: bool = False) -> Markup:
 
 def measure(value: float, unit: str, digits: int = 4) -> Markup:
     """Return a number with its unit."""
-    return number(value, digits) + (Markup("\u00a0") + escape(unit) if unit else Markup(""))
+    return digits_of(value, digits) + (Markup("\u00a0") + escape(unit) if unit else Markup(""))
 
 
 def span(low: float, high: float, unit: str, digits: int = 3) -> Markup:

@@ -18,11 +18,11 @@ from quintrig.quantities.signs import SIGN_TABLES
 from quintrig.quantities.table import QUANTITIES, quantity
 from quintrig.report import facts as known
 from quintrig.report import kinds, tables
-from quintrig.report.facts import MARKS, Facts
+from quintrig.report.facts import Facts
 from quintrig.report.findings import findings, methods
 from quintrig.report.mathml import mathml
 from quintrig.report.pictures import Image, invariants_shown, overview, picture_count, pictures, readings, render
-from quintrig.report.wording import measure, number, percent, prose
+from quintrig.report.wording import digits_of, measure, percent, prose
 from quintrig.studio import page as studio
 from quintrig.support.files import refuse_unwritable, write_whole
 from quintrig.support.progress import Progress
@@ -122,7 +122,6 @@ def _page(
             source=source if len(source) <= _LONGEST else "",
             quantities=[q for q in QUANTITIES if q.key not in ("point", "normal")],
             signs=SIGN_TABLES,
-            marks=MARKS,
             basis=[mathml(latex) for latex in kinds.BASIS],
             other_bases=kinds.other_bases(model.patches),
             viewer=Markup(studio.viewer(model)) if live else "",
@@ -143,7 +142,7 @@ def _environment() -> Environment:
     )
     words: dict[str, Any] = {
         "prose": prose,
-        "number": number,
+        "number": digits_of,
         "measure": measure,
         "percent": percent,
         "mathml": mathml,

@@ -18,7 +18,7 @@ from quintrig.quantities.classify import Thresholds
 from quintrig.report.wording import prose
 from quintrig.reproduce.figures import draw
 from quintrig.reproduce.inventory import Item, inventory, labelled_points, model, model_text
-from quintrig.reproduce.tables import Rows, tables
+from quintrig.reproduce.tables import PrintedTable, tables
 from quintrig.support.errors import QuintrigError
 from quintrig.support.files import refuse_unwritable, write_whole
 from quintrig.support.progress import Progress
@@ -38,7 +38,7 @@ class Built:
 
     item: Item
     pictures: tuple[str, ...] = ()
-    tables: tuple[tuple[Rows, tuple[str, ...]], ...] = ()
+    tables: tuple[tuple[PrintedTable, tuple[str, ...]], ...] = ()
 
 
 def write_reproduction(out: Path, *, progress: Progress | None = None, only: frozenset[str] | None = None) -> Path:
@@ -107,7 +107,7 @@ def _build(item: Item, folder: Path) -> Built:
             write_whole(folder / "thumbnails" / f"{name}.png", _thumbnail(content["png"]))
             pictures.append(name)
         return Built(item, tuple(pictures))
-    parts: list[tuple[Rows, tuple[str, ...]]] = []
+    parts: list[tuple[PrintedTable, tuple[str, ...]]] = []
     found = tables(item)
     for index, rows in enumerate(found):
         letter = "abcdefgh"[index] if len(found) > 1 else ""

@@ -40,7 +40,7 @@ KEYS = (
 
 
 @dataclass(frozen=True)
-class Rows:
+class PrintedTable:
     """A table for people: ``title`` of this part, heads and rows as text, remarks; ``files`` hold it by suffix."""
 
     title: str
@@ -50,7 +50,7 @@ class Rows:
     files: tuple[tuple[str, str], ...] = ()
 
 
-def tables(item: Item) -> tuple[Rows, ...]:
+def tables(item: Item) -> tuple[PrintedTable, ...]:
     """Return the parts of a table: one, or one for each set of shape parameters."""
     if item.draw == "signs":
         return (_signs(item.number),)
@@ -59,13 +59,13 @@ def tables(item: Item) -> tuple[Rows, ...]:
     return tuple(_data(item))
 
 
-def _signs(number: str) -> Rows:
+def _signs(number: str) -> PrintedTable:
     table = next(table for table in SIGN_TABLES if table.number == number)
     text = _csv([table.columns, *table.rows])
-    return Rows(table.title, table.columns, table.rows, (f"Source: {table.source}.",), ((".csv", text),))
+    return PrintedTable(table.title, table.columns, table.rows, (f"Source: {table.source}.",), ((".csv", text),))
 
 
-def _validation(item: Item) -> Rows:
+def _validation(item: Item) -> PrintedTable:
     """Compare computed with closed-form curvature of the sphere and the cylinder, over a grid and at its worst."""
     heads = (
         "surface",
@@ -99,10 +99,10 @@ def _validation(item: Item) -> Rows:
         "Over 129 x 129 points, without the poles of the sphere, where this parametrisation has no tangent plane. "
         "The normal points outwards, so that H, κ1 and κ2 are negative."
     )
-    return Rows("Computed against closed form", heads, tuple(rows), (note,), ((".csv", _csv([heads, *rows])),))
+    return PrintedTable("Computed against closed form", heads, tuple(rows), (note,), ((".csv", _csv([heads, *rows])),))
 
 
-def _data(item: Item) -> Iterator[Rows]:
+def _data(item: Item) -> Iterator[PrintedTable]:
     """Tabulate the corresponding points, once for each set of shape parameters."""
     base = model(item.models[0])
     points = labelled_points()
@@ -116,7 +116,7 @@ def _data(item: Item) -> Iterator[Rows]:
         heads = ("point", *(column.heading for column in columns))
         rows = [(label, *(shown(column.rounded[i]) for column in columns)) for i, label in enumerate(points)]
         exact = [heads, *((label, *map(str, row)) for label, row in zip(points, table.rows, strict=True))]
-        yield Rows(
+        yield PrintedTable(
             f"Shape parameters {spelt}" if spelt else base.name,
             heads,
             tuple(rows),

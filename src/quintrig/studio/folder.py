@@ -12,7 +12,7 @@ from quintrig.support.errors import ModelError, QuintrigError
 from quintrig.support.files import nets_named, open_regular
 from quintrig.support.parsing import parse
 
-SUFFIXES = (".toml", ".json")
+MODEL_SUFFIXES = (".toml", ".json")
 _LONGEST_NAME = 200  # bytes: file systems take 255, of which a draft beside it needs some
 _MOST_FILES = 500
 
@@ -23,7 +23,9 @@ class Changed(Exception):
 
 def names(folder: Path) -> list[str]:
     """Return the names of the files in the folder that may be models, hidden ones and links left out."""
-    found = (path for path in folder.iterdir() if path.suffix.lower() in SUFFIXES and not path.name.startswith("."))
+    found = (
+        path for path in folder.iterdir() if path.suffix.lower() in MODEL_SUFFIXES and not path.name.startswith(".")
+    )
     printable = (path for path in found if path.name.isprintable())  # others cannot be sent as text
     return sorted(path.name for path in printable if path.is_file() and not path.is_symlink())[:_MOST_FILES]
 
@@ -37,7 +39,7 @@ def confined(folder: Path, name: str) -> Path:
     plain = name == path.name and "\\" not in name and ":" not in name and name.isprintable()
     if not plain or name.startswith(".") or not 0 < len(name.encode()) <= _LONGEST_NAME:
         raise ModelError(f"{name[:80]!r}: expected the plain name of a file in the folder that the studio is open on")
-    if path.suffix.lower() not in SUFFIXES:
+    if path.suffix.lower() not in MODEL_SUFFIXES:
         raise ModelError(f"{name}: expected a name ending in .toml or .json")
     whole = folder / name
     if whole.is_symlink():
@@ -56,7 +58,7 @@ def read(folder: Path, name: str) -> tuple[Model, str]:
 def checked(name: str, text: str, folder: Path | None = None) -> Model:
     """Return the model that a file of this name and content would hold; ModelError as on the command line."""
     suffix = Path(name).suffix.lower()
-    if suffix not in SUFFIXES:
+    if suffix not in MODEL_SUFFIXES:
         raise ModelError(f"{name}: expected a file ending in .toml or .json")
     try:
         data = parse(text, suffix)

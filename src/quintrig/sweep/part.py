@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from quintrig.analysis.edge_layers import find_layers
+from quintrig.analysis.edge_layers import layers_at_edges
 from quintrig.model.model import Model
 from quintrig.model.patch import Patch
 from quintrig.quantities.classify import Thresholds
@@ -78,7 +78,7 @@ def _one(task: Task, patch: Patch, design: list[float]) -> FloatArray:
         result = np.full(len(COLUMNS), np.nan)
         result[COLUMNS.index("singular")] = task.points**2
         return result
-    widths = np.array([find_layers(surface)])
+    widths = np.array([layers_at_edges(surface)])
     return true_summaries(single_measure(surface, task.thresholds), widths, task.points, surface)[0]
 
 

@@ -106,7 +106,7 @@ def _on_cluster(sweep: Sweep, parts: list[int], scheduler: str) -> Iterator[tupl
     except (OSError, CancelledError, ImportError, KilledWorker) as error:
         reason = (str(error).splitlines() or [""])[0] or type(error).__name__
         raise QuintrigError(
-            f"the cluster failed ({reason[:200]}); the parts written stay, and the same command goes on from them",
+            f"the cluster failed ({reason[:200]}); the parts written stay, and running it again goes on from them",
             "scheduler",
             scheduler,
         ) from None

@@ -100,7 +100,7 @@ class Sweep:
         try:
             write_whole(target, cast(bytes, sink.getvalue().to_pybytes()))
         except QuintrigError as error:
-            raise QuintrigError(f"{error}; the parts written stay, and the same command goes on from them") from None
+            raise QuintrigError(f"{error}; the parts written stay, and running it again goes on from them") from None
 
     def _notes(self) -> dict[str, str]:
         """Return what the file says of its columns: units, the normal, the length unit of the model."""

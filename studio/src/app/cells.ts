@@ -2,6 +2,7 @@
 
 import { analyse } from "../numerics/sample";
 import { extent, type Surface } from "../numerics/surface";
+import { coverage, windowOf } from "../numerics/trim";
 import { build, shapeOf, type Model, type Patch } from "../numerics/model";
 import { shapeSets, type State } from "./state";
 
@@ -55,8 +56,9 @@ const STEPS = Array.from({ length: SIDE }, (_, i) => i / (SIDE - 1));
 function bulk(surface: Surface): Box {
   const whole = extent(surface), at = [0, 1, 2] as const;
   if (!(whole.size > 0)) return { low: whole.low, high: whole.low };
-  const { point } = analyse(surface, STEPS, STEPS, false, ["point"]);
-  const sorted = at.map((x) => point!.filter((value, i) => i % 3 === x && Number.isFinite(value)).sort());
+  const [u0, v0, u1, v1] = windowOf(surface), us = STEPS.map((t) => u0 + t * (u1 - u0)), vs = STEPS.map((t) => v0 + t * (v1 - v0));
+  const { point } = analyse(surface, us, vs, false, ["point"]), inside = coverage(surface, us, vs), none = !inside.includes(1);
+  const sorted = at.map((x) => point!.filter((value, i) => i % 3 === x && Number.isFinite(value) && (none || inside[(i - x) / 3])).sort());
   const share = (x: 0 | 1 | 2, part: number) => sorted[x]![Math.round(part * (sorted[x]!.length - 1))]!;
   const low = at.map((x) => share(x, 0)), high = at.map((x) => share(x, 1)), first = at.map((x) => share(x, 0.1)), last = at.map((x) => share(x, 0.9));
   const length = (from: number[], to: number[]) => Math.hypot(...at.map((x) => to[x]! - from[x]!));

@@ -10,7 +10,7 @@ export function warningOf(state: State, surface: Surface | null): string {
   const patch = activePatch(state);
   if (surface && extent(surface).size === 0) return "A single point: it has no size, no tangent plane and no curvature";
   if (shapeOf(patch).some((x) => x < SHAPE_RANGE[0] || x > SHAPE_RANGE[1])) return "Shape parameters outside [−4, 1]: the convex-hull property is lost";
-  if ((patch["trim"] as unknown[] | undefined)?.length) return "A trimmed face: the whole of its surface is shown";
+  if ((patch["trim"] as unknown[] | undefined)?.length) return "A trimmed face: meshes and CAD files take the whole of its surface";
   if (patch.kind !== "developable" || state.moving || !surface) return "";
   const inside = regression(surface);
   if (!inside.length) return "";

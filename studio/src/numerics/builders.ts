@@ -42,7 +42,7 @@ export const BUILDERS: Readonly<Record<string, (its: Values) => Surface>> = {
   swung: (its) => swung(its.curve("profile"), its.curve("trajectory"), its.shape, its.size("scale"), its.bezier),
   ruled: (its) => ruled(its.curve("first"), its.curve("second"), its.shape, its.bezier),
   developable: (its) => developable(its.curve("planes"), its.curve("bounds"), its.shape, its.flip),
-  nurbs: (its) => nurbs(its.net("points"), its.get("weights"), its.get("degrees"), its.curve("knots"), its.flip),
+  nurbs: (its) => nurbs(its.net("points"), its.get("weights"), its.get("degrees"), its.curve("knots"), its.flip, its.net("trim")),
   sphere: (its) => reference.sphere(its.size("radius"), its.flip),
   ellipsoid: (its) => reference.ellipsoid(its.size("a"), its.size("b"), its.size("c"), its.flip),
   cylinder: (its) => reference.cylinder(its.size("radius"), its.size("height"), its.flip),

@@ -9,6 +9,7 @@ import { directionCos, directionSin, principalDirection, radius, shapeIndex } fr
 import { planar, slopeForms, surface as ownMetric } from "./invariants";
 import { QUANTITY } from "./quantity";
 import { extent, type Surface } from "./surface";
+import { windowOf } from "./trim";
 
 /** A point is singular where |S_u × S_v| <= SINGULAR size². */
 export const SINGULAR = data.limits.singular;
@@ -36,18 +37,20 @@ export class Grid {
   planes = new Float64Array(0);
   low: number[] = [0, 0, 0];
   high: number[] = [0, 0, 0];
+  /** The parameters of the grid last asked for by `evaluate`. */
+  u: Float64Array = new Float64Array(0);
+  v: Float64Array = new Float64Array(0);
   private rows = new Float64Array(0);
   private blend = new Float64Array(0);
-  private u: Float64Array = new Float64Array(0);
-  private v: Float64Array = new Float64Array(0);
   private origin: readonly number[] = [0, 0, 0];
   /** S, S_u, S_v, S_uu, S_uv, S_vv of one point. */
   private readonly partials = new Float64Array(18);
 
-  /** Evaluate at the nu × nv points of an even grid over the domain, edges included. */
+  /** Evaluate at the nu × nv points of an even grid over the domain, or over the window of a face's loops, edges included. */
   evaluate(surface: Surface, nu: number, nv: number): void {
-    if (this.u.length !== nu) this.u = steps(nu);
-    if (this.v.length !== nv) this.v = steps(nv);
+    const [u0, v0, u1, v1] = windowOf(surface);
+    this.u = steps(nu, u0, u1);
+    this.v = steps(nv, v0, v1);
     this.evaluateAt(surface, this.u, this.v, true);
   }
 
@@ -279,4 +282,5 @@ function directions(grid: Grid, second: boolean, relative: number, noise: number
   }
 }
 
-const steps = (n: number): Float64Array => Float64Array.from({ length: n }, (_, i) => (i === n - 1 ? 1 : i / (n - 1)));
+const steps = (n: number, low: number, high: number): Float64Array =>
+  Float64Array.from({ length: n }, (_, i) => (i === n - 1 ? high : low + (high - low) * (i / (n - 1))));

@@ -2,6 +2,7 @@
 
 import data from "../data.json";
 import type { Functions } from "./functions";
+import type { Loop } from "./trim";
 
 /** The curves Q_j(u) of a surface: 3 coordinates, or 4 homogeneous ones. */
 export interface Rows {
@@ -46,7 +47,8 @@ export class Net implements Rows {
 
 /**
  * S(u, v) = Σ_j Q_j(u) D_j(v) over [0, 1]²; the normal points along S_u × S_v, against it when `flip`. `net` is the
- * control net to draw. Homogeneous rows make a rational surface. Rows hold points as seen from `origin`.
+ * control net to draw. Homogeneous rows make a rational surface. Rows hold points as seen from `origin`. `trim` holds the
+ * closed loops of (u, v) that bound a face cut from the surface.
  */
 export interface Surface {
   readonly rows: Rows;
@@ -54,6 +56,7 @@ export interface Surface {
   readonly flip: boolean;
   readonly net: Points | null;
   readonly origin?: readonly number[];
+  readonly trim?: readonly Loop[];
 }
 
 /** Which way the normal points, against or along S_u × S_v; closed forms turn it outwards by themselves. */

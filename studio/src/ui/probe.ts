@@ -6,6 +6,7 @@ import { build, type Model, type Patch } from "../numerics/model";
 import { QUANTITIES, QUANTITY, type Quantity } from "../numerics/quantity";
 import { analyse, type Sample } from "../numerics/sample";
 import { normalSide } from "../numerics/surface";
+import { covers } from "../numerics/trim";
 import { button, numberField, toggle } from "./controls";
 import { download, fileName, h, icon, ICONS } from "./dom";
 import { capital, short, symbol, unitText, valueText } from "./format";
@@ -16,6 +17,9 @@ const USUAL = ["gaussian", "mean", "k1", "k2", "shape_index", "curvedness", "hk_
 export function probe(model: Model, pin: Pin): Sample {
   return analyse(build(model.patches[pin.patch]!), [pin.u], [pin.v], true);
 }
+
+/** Whether a point lies on its patch: a trimmed face has no values where it is cut off. */
+const onFace = (model: Model, { patch, u, v }: Pin): boolean => covers(build(model.patches[patch]!), u, v);
 
 /** A value as people are told it: what is rounding beside the curvedness of the point is 0, as in Python's tables. */
 export function told(sample: Sample, q: Quantity, part = 0): number {
@@ -86,7 +90,9 @@ export class ProbePanel {
       const remove = button(icon(ICONS.close), `Remove pin ${i + 1}`, () => this.store.set({ pins: state.pins.filter((one) => one !== pin) }), "tiny");
       return h("tr", {}, h("td", {}, h("span", { class: "pin-number" }, i + 1)), several ? h("td", {}, state.model.patches[pin.patch]!.name) : null,
         h("td", {}, short(pin.u)), h("td", {}, short(pin.v)),
-        ...columns.map(({ q, part }) => h("td", { class: q.colour === "classes" ? "word" : "" }, valueText(q, told(sample, q, part)))), h("td", {}, remove));
+        ...(onFace(state.model, pin)
+          ? columns.map(({ q, part }) => h("td", { class: q.colour === "classes" ? "word" : "" }, valueText(q, told(sample, q, part))))
+          : [h("td", { class: "word", colspan: columns.length }, "outside the trimmed face")]), h("td", {}, remove));
     });
     this.body.replaceChildren(h("table", {}, h("thead", {}, head), h("tbody", {}, ...rows)));
   }
@@ -105,9 +111,10 @@ export class ProbePanel {
       ...(units.length ? [`# Units: ${[...new Map(units)].map(([key, unit]) => `${key} in ${unit}`).join(", ")}`] : []),
       ["patch", "u", "v", ...columns.map(name)].join(","),
       ...pins.map((pin) => {
-        const sample = probe(model, pin);
+        const sample = probe(model, pin), on = onFace(model, pin);
         const cell = ({ q, part }: { q: Quantity; part: number }) => {
           const value = sample[q.key]![part]!;
+          if (!on) return "";
           return q.colour === "classes" ? quoted(q.classes[value]!) : Number.isNaN(value) ? "" : String(value);
         };
         return [quoted(guarded(model.patches[pin.patch]!.name)), pin.u, pin.v, ...columns.map(cell)].join(",");

@@ -1,13 +1,14 @@
 /** The drawn surface: one set of buffers a resolution, filled again and again from a `Grid`, and its material. */
 
 import {
-  BufferAttribute, BufferGeometry, DataTexture, DoubleSide, DynamicDrawUsage, FloatType, GLSL3, LinearFilter, Mesh,
+  BufferAttribute, BufferGeometry, CanvasTexture, DataTexture, DoubleSide, DynamicDrawUsage, FloatType, GLSL3, LinearFilter, Mesh,
   NearestFilter, RedFormat, RGBAFormat, ShaderMaterial, UnsignedByteType, Vector2, Vector3, Vector4,
 } from "three";
 import { THRESHOLDS } from "../numerics/classify";
 import { Grid, PLANE } from "../numerics/kernel";
 import { QUANTITY } from "../numerics/quantity";
 import type { Surface } from "../numerics/surface";
+import { coverage, windowOf } from "../numerics/trim";
 import { bytes, classColours, mapColours, type Rgb } from "../ui/colours";
 import type { Frame } from "./frame";
 import { FRAGMENT, VERTEX } from "./shader";
@@ -32,6 +33,8 @@ export class SurfaceMesh {
   values = new Float32Array(0);
   /** Grows with every change of the values, so that what follows from them is worked out once. */
   version = 0;
+  /** 1 at grid points on the face, 0 at those that its loops cut off. */
+  covered: Uint8Array = new Uint8Array(0);
   /** 1 where a grid point stands where one before it does: a pole is one point, however many grid points it takes. */
   repeated = new Uint8Array(0);
   /** How many places the grid has, and how many of them are singular. */
@@ -39,6 +42,7 @@ export class SurfaceMesh {
   singular = 0;
   /** The box around the points in the scene, low and high of x, y, z. */
   readonly box: number[] = [];
+  private trim: Surface["trim"];
   private counted: { version: number; counts: number[] } | null = null;
   private readonly buffers = new Map<number, Buffers>();
   private current: Buffers | null = null;
@@ -53,6 +57,7 @@ export class SurfaceMesh {
         undefinedColour: { value: new Vector3() }, stripes: { value: 0 }, density: { value: 20 }, light: { value: new Vector3(0, 0, 1) },
         curves: { value: 0 }, cut: { value: new Vector4() }, clipped: { value: false }, wire: { value: false },
         shade: { value: 1 }, towards: { value: new Vector3(0, 0, 1) }, faded: { value: 0 },
+        face: { value: null }, trimmed: { value: false },
       },
     });
     this.mesh = new Mesh(undefined, this.material);
@@ -64,11 +69,13 @@ export class SurfaceMesh {
     const b = (this.current = this.prepare(n));
     const { grid } = this;
     grid.evaluate(surface, n, n);
+    this.cut(surface, n);
     const { planes: s, stride, count } = grid;
     this.singular = this.places = 0;
     if (this.repeated.length !== count) this.repeated = new Uint8Array(count);
     const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity], at = b.position;
     const same = (p: number, q: number) => at[3 * p] === at[3 * q] && at[3 * p + 1] === at[3 * q + 1] && at[3 * p + 2] === at[3 * q + 2];
+    this.repeated.fill(0);
     for (let p = 0; p < count; p++) {
       for (let x = 0; x < 3; x++) {
         b.position[3 * p + x] = (s[(PLANE.point + x) * stride + p]! - frame.centre[x]!) * frame.scale;
@@ -78,6 +85,7 @@ export class SurfaceMesh {
         if (value < low[x]!) low[x] = value;
         if (value > high[x]!) high[x] = value;
       }
+      if (!this.covered[p]) continue;
       const again = (p % n > 0 && same(p, p - 1)) || (p >= n && same(p, p - n));
       this.repeated[p] = again ? 1 : 0;
       if (again) continue;
@@ -92,6 +100,19 @@ export class SurfaceMesh {
     const u = this.material.uniforms;
     u["cells"]!.value.set(n, n);
     this.paint(quantity);
+  }
+
+  /** Say what the loops of a trimmed face leave, at the grid points and, more finely, to the shader. */
+  private cut(surface: Surface, n: number): void {
+    if (this.trim === surface.trim && this.covered.length === n * n) return;
+    this.covered = coverage(surface, this.grid.u, this.grid.v);
+    const u = this.material.uniforms;
+    if (this.trim !== surface.trim) {
+      u["face"]!.value?.dispose();
+      u["face"]!.value = surface.trim?.length ? faceTexture(surface) : null;
+      u["trimmed"]!.value = u["face"]!.value !== null;
+    }
+    this.trim = surface.trim;
   }
 
   /** Put another quantity of the surface as last evaluated into the drawn buffers. */
@@ -119,7 +140,7 @@ export class SurfaceMesh {
   get counts(): readonly number[] {
     if (this.counted?.version === this.version) return this.counted.counts;
     const counts: number[] = [];
-    for (let p = 0; p < this.values.length; p++) if (!this.repeated[p]) counts[this.values[p]!] = (counts[this.values[p]!] ?? 0) + 1;
+    for (let p = 0; p < this.values.length; p++) if (this.covered[p] && !this.repeated[p]) counts[this.values[p]!] = (counts[this.values[p]!] ?? 0) + 1;
     this.counted = { version: this.version, counts };
     return counts;
   }
@@ -138,6 +159,7 @@ export class SurfaceMesh {
       b.geometry.dispose();
       b.texture.dispose();
     }
+    this.material.uniforms["face"]!.value?.dispose();
     this.material.dispose();
   }
 
@@ -171,6 +193,32 @@ export class SurfaceMesh {
     this.buffers.set(n, made);
     return made;
   }
+}
+
+const FACE_SIDE = 1024; // pixels a side; between them the shader follows the loops by their smoothed edge
+
+/** A trimmed face as a picture over the window of its loops: white on it, black off it. */
+function faceTexture(surface: Surface): CanvasTexture {
+  const canvas = document.createElement("canvas"), [u0, v0, u1, v1] = windowOf(surface);
+  canvas.width = canvas.height = FACE_SIDE;
+  const context = canvas.getContext("2d")!;
+  context.fillRect(0, 0, FACE_SIDE, FACE_SIDE);
+  context.fillStyle = "#ffffff";
+  context.beginPath();
+  for (const loop of surface.trim!) {
+    loop.forEach(([u, v], i) => {
+      // Row 0 of the picture is v = 1: textures are turned over when they are handed to the card.
+      const at = [(FACE_SIDE * (u! - u0)) / (u1 - u0), FACE_SIDE * (1 - (v! - v0) / (v1 - v0))] as const;
+      if (i) context.lineTo(...at);
+      else context.moveTo(...at);
+    });
+    context.closePath();
+  }
+  context.fill("evenodd");
+  const texture = new CanvasTexture(canvas);
+  texture.minFilter = texture.magFilter = LinearFilter;
+  texture.generateMipmaps = false;
+  return texture;
 }
 
 /** A vector of the three parts of a colour, 0 to 1. */

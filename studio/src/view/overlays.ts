@@ -94,6 +94,7 @@ export class Overlays {
       if (settings.combs === "v" || settings.combs === "both") this.combs(mesh, false, tooth);
       const { planes: s, stride } = mesh.grid;
       const sign = (plane: number, power: number) => (p: number) => {
+        if (!mesh.covered[p]) return NaN;
         const value = s[plane * stride + p]!, bend = s[PLANE.curvedness * stride + p]!;
         return Math.abs(value) <= RELATIVE * bend ** power ? 0 : value;
       };
@@ -101,7 +102,7 @@ export class Overlays {
       if (settings.zeroH) zeroContour(sign(PLANE.mean, 1), n, mesh.position, this.lines.zeroH);
       if (settings.section) {
         const [a, b, c, d] = sectionPlane(settings, frame), x = mesh.position;
-        zeroContour((p) => a * x[3 * p]! + b * x[3 * p + 1]! + c * x[3 * p + 2]! - d, n, x, this.lines.section);
+        zeroContour((p) => (mesh.covered[p] ? a * x[3 * p]! + b * x[3 * p + 1]! + c * x[3 * p + 2]! - d : NaN), n, x, this.lines.section);
         this.showPlane(settings, frame);
       } else this.grips.fill([], []);
     }
@@ -193,7 +194,7 @@ export class Overlays {
         const p = at(curve, Math.min(i, n - 1));
         const x = mesh.position.subarray(3 * p, 3 * p + 3), length = -tooth * bendAlong(mesh, alongU, p);
         const tip = [0, 1, 2].map((c) => x[c]! + length * s[(PLANE.normal + c) * stride + p]!);
-        if (tip.some(Number.isNaN)) {
+        if (!mesh.covered[p] || tip.some(Number.isNaN)) {
           before = null;
           continue;
         }
@@ -222,8 +223,9 @@ export function toothOf(meshes: readonly SurfaceMesh[], settings: Settings, fram
     for (let curve = 0; curve < COMBS; curve++) {
       const fixed = Math.round((curve * (n - 1)) / (COMBS - 1));
       for (let i = 0; i < n; i += 3) {
-        if (settings.combs !== "v") longest = Math.max(longest, Math.abs(bendAlong(mesh, true, i * n + fixed)) || 0);
-        if (settings.combs !== "u") longest = Math.max(longest, Math.abs(bendAlong(mesh, false, fixed * n + i)) || 0);
+        const bend = (alongU: boolean, p: number) => (mesh.covered[p] && Math.abs(bendAlong(mesh, alongU, p))) || 0;
+        if (settings.combs !== "v") longest = Math.max(longest, bend(true, i * n + fixed));
+        if (settings.combs !== "u") longest = Math.max(longest, bend(false, fixed * n + i));
       }
     }
   }
@@ -238,6 +240,9 @@ function each(mesh: SurfaceMesh, act: (p: number, spacing: number) => void): voi
   const distance = (p: number[], q: number[]) => Math.hypot(p[0]! - q[0]!, p[1]! - q[1]!, p[2]! - q[2]!);
   const spacing = Math.min(0.1, Math.max(0.035, (distance(a, b) + distance(a, c) + distance(c, d) + distance(b, d)) / (4 * (many - 1))));
   for (let i = 0; i < many; i++) {
-    for (let k = 0; k < many; k++) act(Math.round((i * (n - 1)) / (many - 1)) * n + Math.round((k * (n - 1)) / (many - 1)), spacing);
+    for (let k = 0; k < many; k++) {
+      const p = Math.round((i * (n - 1)) / (many - 1)) * n + Math.round((k * (n - 1)) / (many - 1));
+      if (mesh.covered[p]) act(p, spacing);
+    }
   }
 }

@@ -18,9 +18,9 @@ export function meets(box: readonly number[], origin: readonly number[], ray: re
   return near <= far;
 }
 
-/** The nearest hit of a ray (scene coordinates) with the grid's triangles, `keep` telling what is not cut away. */
+/** The nearest hit of a ray (scene coordinates) with the grid's triangles, as shares s and t of the grid along u and v; `keep` tells what is not cut away. */
 export function pick(
-  position: Float32Array, n: number, origin: readonly number[], ray: readonly number[], keep: (x: number, y: number, z: number) => boolean,
+  position: Float32Array, n: number, origin: readonly number[], ray: readonly number[], keep: (x: number, y: number, z: number, s: number, t: number) => boolean,
 ): Hit | null {
   let best = Infinity, u = 0, v = 0;
   const [ox, oy, oz] = origin as [number, number, number], [dx, dy, dz] = ray as [number, number, number];
@@ -42,12 +42,10 @@ export function pick(
         const t = (dx * qx + dy * qy + dz * qz) / det;
         if (t < -1e-9 || s + t > 1 + 1e-9) continue;
         const distance = (fx * qx + fy * qy + fz * qz) / det;
-        if (distance < best && keep(ox + distance * dx, oy + distance * dy, oz + distance * dz)) {
-          best = distance;
-          // Corner b is (1, 0) or (1, 1) of the cell, corner c is (1, 1) or (0, 1).
-          u = (i + (half === 0 ? s + t : s)) / (n - 1);
-          v = (k + (half === 0 ? t : s + t)) / (n - 1);
-        }
+        if (distance >= best) continue;
+        // Corner b is (1, 0) or (1, 1) of the cell, corner c is (1, 1) or (0, 1).
+        const along = (i + (half === 0 ? s + t : s)) / (n - 1), across = (k + (half === 0 ? t : s + t)) / (n - 1);
+        if (keep(ox + distance * dx, oy + distance * dy, oz + distance * dz, along, across)) [best, u, v] = [distance, along, across];
       }
     }
   }

@@ -47,9 +47,10 @@ const parts = new WeakMap<SurfaceMesh, Part>();
 function partOf(mesh: SurfaceMesh, q: Quantity): Part {
   const known = parts.get(mesh);
   if (known?.version === mesh.version) return known;
-  const { values, repeated } = mesh, sorted = new Float32Array(values.length);
+  const { values, repeated, covered } = mesh, sorted = new Float32Array(values.length);
   let n = 0, sum = 0, infinite = 0, missing = 0;
   for (let p = 0; p < values.length; p++) {
+    if (!covered[p]) continue;
     const value = values[p]!; // an iterator would box every one
     if (value - value === 0) {
       sorted[n++] = value;
@@ -143,7 +144,7 @@ function naturalScale(mesh: SurfaceMesh, q: Quantity): number {
   let n = 0;
   for (let p = 0; p < count; p += 7) {
     const bend = planes[PLANE.curvedness * stride + p]!;
-    if (bend < Infinity) bends[n++] = bend;
+    if (mesh.covered[p] && bend < Infinity) bends[n++] = bend;
   }
   return Math.max(n ? select(bends.subarray(0, n), 0.98) : 0, 1 / size) ** -q.power;
 }

@@ -38,6 +38,8 @@ uniform bool wire;
 uniform float shade;         // strength of the light
 uniform vec3 towards;        // direction to the eye, orthographic
 uniform float faded;
+uniform sampler2D face;      // what the loops of a trimmed face leave, over the window that they span
+uniform bool trimmed;
 
 const float MISSING = 1e37;
 
@@ -57,6 +59,7 @@ float band(float x) {
 
 void main() {
   if (clipped && dot(cut.xyz, place) > cut.w) discard;
+  if (trimmed && texture(face, parameters).r < 0.5) discard;
   vec3 eye = isOrthographic ? towards : normalize(cameraPosition - place);
   vec3 flatWay = cross(dFdx(place), dFdy(place));
   vec3 normal = dot(way, way) > 0.2 ? normalize(way) : (dot(flatWay, flatWay) > 0.0 ? normalize(flatWay) : eye);

@@ -2,6 +2,7 @@
 
 import { Color, type Vector2, Vector3, WebGLRenderer } from "three";
 import type { Settings } from "../app/settings";
+import { covers, windowOf } from "../numerics/trim";
 import { BACK, FRONT, UNDEFINED, type Rgb } from "../ui/colours";
 import { Orbit, VIEWS, type ViewName } from "./camera";
 import { Cell } from "./cell";
@@ -189,9 +190,14 @@ export class Stage {
     const [a, b, c, d] = sectionPlane(settings, frame), clipped = settings.section && settings.clip;
     let best: Place | null = null;
     this.cells[cell]!.pieces.forEach((piece, i) => {
-      const n = piece.mesh.side;
-      const hit = n > 1 && meets(piece.mesh.box, origin, direction) ? pick(piece.mesh.position, n, origin, direction, (px, py, pz) => !clipped || a * px + b * py + c * pz <= d) : null;
-      if (hit && (!best || hit.distance < best.distance)) best = { ...hit, cell, piece: i };
+      const n = piece.mesh.side, { surface } = piece;
+      if (!surface || n < 2 || !meets(piece.mesh.box, origin, direction)) return;
+      const [u0, v0, u1, v1] = windowOf(surface), at = (s: number, t: number) => [u0 + (u1 - u0) * s, v0 + (v1 - v0) * t] as const;
+      const kept = (px: number, py: number, pz: number, s: number, t: number) => (!clipped || a * px + b * py + c * pz <= d) && covers(surface, ...at(s, t));
+      const hit = pick(piece.mesh.position, n, origin, direction, kept);
+      if (!hit || (best && hit.distance >= best.distance)) return;
+      const [u, v] = at(hit.u, hit.v);
+      best = { u, v, distance: hit.distance, cell, piece: i };
     });
     return best;
   }
@@ -238,7 +244,7 @@ export class Stage {
       for (const { pieces } of this.cells) {
         for (const { mesh, overlays } of pieces) {
           const x = mesh.position, step = 3 * Math.max(1, Math.floor(mesh.side / 24));
-          for (let at = 0; at + 2 < x.length; at += step) if (within(frame, x[at]!, x[at + 1]!, x[at + 2]!)) take(x[at]!, x[at + 1]!, x[at + 2]!);
+          for (let at = 0; at + 2 < x.length; at += step) if (mesh.covered[at / 3] && within(frame, x[at]!, x[at + 1]!, x[at + 2]!)) take(x[at]!, x[at + 1]!, x[at + 2]!);
           for (const [px, py, pz] of overlays.netPoints) if (Math.hypot(px!, py!, pz!) < FAR) take(px!, py!, pz!);
         }
       }

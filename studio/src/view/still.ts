@@ -39,6 +39,7 @@ export function paintStill(canvas: HTMLCanvasElement, cells: readonly Cell[], or
           const i2 = Math.min(n - 1, i + step), k2 = Math.min(n - 1, k + step);
           const [a, b, c, d] = [flat(i * n + k), flat(i2 * n + k), flat(i2 * n + k2), flat(i * n + k2)] as const;
           const middle = ((i + i2) >> 1) * n + ((k + k2) >> 1);
+          if (!mesh.covered[middle]) continue;
           const normal = mesh.grid.planes, stride = mesh.grid.stride;
           const lit = Math.abs(normal[3 * stride + middle]! * towards.x + normal[4 * stride + middle]! * towards.y + normal[5 * stride + middle]! * towards.z);
           faces.push({ depth: a[2] + b[2] + c[2] + d[2], corners: [a[0], a[1], b[0], b[1], c[0], c[1], d[0], d[1]], colour: colourOf(mesh.values[middle] ?? NaN), lit: lit || 0.5 });

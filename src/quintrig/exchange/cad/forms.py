@@ -20,7 +20,7 @@ class Carrier:
     note: str
 
 
-def carriers(model: Model, options: FitOptions | None = None) -> tuple[Carrier, ...]:
+def written_carriers(model: Model, options: FitOptions | None = None) -> tuple[Carrier, ...]:
     """Return every patch of a model, exact where it can be and unless a fit is asked for.
 
     A surface without a rational form is fitted with degree 5 to 1e-6 of its size; the note says so. Raises ValueError

@@ -26,7 +26,7 @@ _TRIES = 12  # processes that one file may bring down
 _STOPPED = {1: "its terminal closed", 2: "interrupted", 9: "killed, perhaps for want of memory", 15: "terminated"}
 """Signals that are no fault of the file, in words."""
 
-SUFFIXES = (".step", ".stp", ".iges", ".igs", ".brep", ".3dm")
+CAD_SUFFIXES = (".step", ".stp", ".iges", ".igs", ".brep", ".3dm")
 """Endings of the files that hold CAD surfaces."""
 
 
@@ -149,8 +149,8 @@ def _spelt(path: Path, folder: Path) -> Path:
 
 def _check(path: Path) -> int:
     """Return the size of the file in bytes; QuintrigError where there is nothing to be read."""
-    if path.suffix.lower() not in SUFFIXES:
-        raise QuintrigError(f"{path}: expected a file ending in {', '.join(SUFFIXES)}")
+    if path.suffix.lower() not in CAD_SUFFIXES:
+        raise QuintrigError(f"{path}: expected a file ending in {', '.join(CAD_SUFFIXES)}")
     try:
         if path.is_dir():
             raise QuintrigError(f"{path}: expected a file, found a folder")

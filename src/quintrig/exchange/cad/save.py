@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Literal
 
 from quintrig.exchange.cad.fit import FitOptions
-from quintrig.exchange.cad.forms import Carrier, carriers
+from quintrig.exchange.cad.forms import Carrier, written_carriers
 from quintrig.exchange.cad.isolated import read_here
 from quintrig.exchange.cad.readback import deviations
 from quintrig.exchange.formats import suffixes
@@ -16,7 +16,7 @@ from quintrig.model.model import Model
 from quintrig.support.errors import QuintrigError
 from quintrig.support.files import write_whole
 
-SUFFIXES = suffixes("cad")
+CAD_WRITTEN = suffixes("cad")
 """Endings of the CAD files that can be written."""
 
 _USUAL_SEWING = 5e-7
@@ -48,7 +48,7 @@ def export_cad(model: Model, path: Path, options: CadOptions | None = None) -> t
     """
     options = options or CadOptions()
     refuse_point(model)
-    parts = carriers(model, options.fit)
+    parts = written_carriers(model, options.fit)
     notes = [f"{part.name}: {part.note}" for part in parts]
     data, more = _data(model, path.suffix.lower(), parts, options, "; ".join(notes))
     notes += more

@@ -17,7 +17,7 @@ from quintrig.quantities.table import Quantity, quantity
 from quintrig.support.arrays import FloatArray
 from quintrig.support.files import write_whole
 
-SUFFIXES = suffixes("mesh")
+MESH_SUFFIXES = suffixes("mesh")
 """Endings of the mesh files that can be written."""
 
 _ROUNDED = 0.25
@@ -92,7 +92,7 @@ def _kept(model: Model, suffix: str, options: MeshOptions, keys: Sequence[str]) 
     result = mesh(surfaces, tolerance=options.tolerance, grid=options.grid, quantities=keys)
     moved, allowed = _moved(result.points, suffix), _tolerance(options, model)
     if not moved <= _ROUNDED * allowed:
-        keeping = [one for one in SUFFIXES if _moved(result.points, one) <= _ROUNDED * allowed]
+        keeping = [one for one in MESH_SUFFIXES if _moved(result.points, one) <= _ROUNDED * allowed]
         raise ValueError(
             f"{suffix[1:].upper()} holds float32, which {distance(surfaces[0]):.3g}{_unit(model)} from the origin "
             f"would move points by up to {moved:.2g}, more than a tolerance of {allowed:.3g} allows; write "

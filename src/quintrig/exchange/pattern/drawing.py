@@ -84,6 +84,6 @@ def dimension_strokes(dimension: Dimension, height: float) -> tuple[list[FloatAr
     return strokes, 0.5 * (feet[0] + feet[1]) + 0.9 * height * across
 
 
-def number(value: float) -> str:
+def decimal(value: float) -> str:
     """Return a length for a person: enough digits for the workshop."""
     return f"{value:.2f}" if abs(value) >= 10.0 else f"{value:.4g}"

@@ -15,7 +15,7 @@ from quintrig.support.arrays import BoolArray, FloatArray
 from quintrig.support.errors import Note, QuintrigError
 from quintrig.support.files import write_whole
 
-SUFFIXES = suffixes("pattern")
+PATTERN_SUFFIXES = suffixes("pattern")
 """Endings of the pattern files that can be written."""
 
 _TOUCHING = 1e-9
@@ -52,8 +52,8 @@ def export_pattern(patch: Patch, unit: str, path: Path, options: FlattenOptions 
     """
     options = options or FlattenOptions()
     suffix = path.suffix.lower()
-    if suffix not in SUFFIXES:
-        raise QuintrigError(f"{path}: expected a file ending in {', '.join(SUFFIXES)}")
+    if suffix not in PATTERN_SUFFIXES:
+        raise QuintrigError(f"{path}: expected a file ending in {', '.join(PATTERN_SUFFIXES)}")
     try:
         pattern = unroll(patch.surface, options.sheet, chord=options.chord, allowed=options.allowed)
         page = drawing(pattern, patch.name, unit, options.drawing)

@@ -7,7 +7,7 @@ from itertools import pairwise
 import numpy as np
 
 from quintrig.developables.unroll import Pattern
-from quintrig.exchange.pattern.drawing import Dimension, Drawing, Line, Text, number
+from quintrig.exchange.pattern.drawing import Dimension, Drawing, Line, Text, decimal
 from quintrig.support.arrays import FloatArray
 
 _MOST_PARTS = 200
@@ -106,7 +106,7 @@ def parts(pattern: Pattern, lines: Sequence[Bend], options: PatternOptions) -> t
     room = tuple(sorted(side - 2.0 * options.margin for side in options.stock))
     if pattern.loops:
         if not _fits(pattern.loops, room):
-            box = " x ".join(number(float(side)) for side in np.ptp(_part(pattern, lines, 0.0, 1.0).cuts[0], axis=0))
+            box = " x ".join(decimal(float(side)) for side in np.ptp(_part(pattern, lines, 0.0, 1.0).cuts[0], axis=0))
             raise ValueError(
                 f"sheet: expected one that holds all of a trimmed face, {box}, found {options.stock[0]:g} x "
                 f"{options.stock[1]:g} with a margin of {options.margin:g}; choose a larger sheet, or split the face "
@@ -120,7 +120,7 @@ def parts(pattern: Pattern, lines: Sequence[Bend], options: PatternOptions) -> t
         if not end > start + 1e-9 or len(result) == _MOST_PARTS:
             longest = float(np.linalg.norm(pattern.second - pattern.first, axis=1).max())
             raise ValueError(
-                f"sheet: expected one that holds a ruling of {number(longest)}, found {options.stock[0]:g} x "
+                f"sheet: expected one that holds a ruling of {decimal(longest)}, found {options.stock[0]:g} x "
                 f"{options.stock[1]:g} with a margin of {options.margin:g}; choose a larger sheet"
             )
         result.append(_part(pattern, lines, start, end))
@@ -184,22 +184,22 @@ def _notes(pattern: Pattern, title: str, unit: str, options: PatternOptions, cou
     sheet, check = pattern.sheet, pattern.isometry
     length = f" {unit}" if unit else ""
     fibre = (
-        f"sheet {number(sheet.thickness)}{length}, k-factor {sheet.k_factor:g}, model is its {sheet.side}"
+        f"sheet {decimal(sheet.thickness)}{length}, k-factor {sheet.k_factor:g}, model is its {sheet.side}"
         if sheet.thickness
         else "no sheet thickness: the pattern is that of the surface itself"
     )
     total = float(np.degrees(np.ptp(np.interp(pattern.span, pattern.t, pattern.bend))))
-    around = ", ".join(number(_length(loop)) for loop in pattern.loops)
+    around = ", ".join(decimal(_length(loop)) for loop in pattern.loops)
     boundaries = (
         f"outline and holes {around}{length}"
         if pattern.loops
-        else f"boundaries {number(check.first)} and {number(check.second)}{length}"
+        else f"boundaries {decimal(check.first)} and {decimal(check.second)}{length}"
     )
     return (
         f"{title}: flat pattern, scale 1:1{', unit ' + unit if unit else ''}, seen from the side the normal points to",
         fibre,
         f"{lines} bend lines, {total:.2f}° in all; blue: towards you, orange: away from you",
-        f"{boundaries}, area {number(check.area)}"
+        f"{boundaries}, area {decimal(check.area)}"
         f"{length + '²' if unit else ''}; lengths and area agree with the surface to {check.worst:.1e}",
         *([f"{count} parts, cut along rulings; equal marks go together"] if count > 1 else []),
     )

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from quintrig.exchange.pattern.drawing import LAYERS, Drawing, Text, dimension_strokes, number
+from quintrig.exchange.pattern.drawing import LAYERS, Drawing, Text, decimal, dimension_strokes
 from quintrig.exchange.units import stated
 from quintrig.support.arrays import FloatArray
 from quintrig.support.errors import QuintrigError
@@ -59,7 +59,7 @@ def pdf(drawing: Drawing) -> bytes:
         strokes, place = dimension_strokes(dimension, drawing.text_height)
         for part in strokes:
             stroke("DIMENSIONS", part)
-        write(Text("DIMENSIONS", place, number(dimension.value), drawing.text_height, dimension.angle, "middle"))
+        write(Text("DIMENSIONS", place, decimal(dimension.value), drawing.text_height, dimension.angle, "middle"))
     for text in drawing.texts:
         write(text)
     stream = io.BytesIO()

@@ -2,7 +2,7 @@
 
 from xml.sax.saxutils import escape
 
-from quintrig.exchange.pattern.drawing import LAYERS, Drawing, Text, dimension_strokes, number
+from quintrig.exchange.pattern.drawing import LAYERS, Drawing, Text, decimal, dimension_strokes
 from quintrig.exchange.units import stated
 from quintrig.support.arrays import FloatArray
 
@@ -29,7 +29,7 @@ def svg(drawing: Drawing) -> str:
         for stroke in strokes:
             path = " ".join(f"{x:.6f},{y:.6f}" for x, y in map(at, stroke))
             groups["DIMENSIONS"].append(f'<polyline points="{path}"/>')
-        label = Text("DIMENSIONS", place, number(dimension.value), drawing.text_height, dimension.angle, "middle")
+        label = Text("DIMENSIONS", place, decimal(dimension.value), drawing.text_height, dimension.angle, "middle")
         groups["DIMENSIONS"].append(_text(label, at(place), scale))
     lines = [
         '<?xml version="1.0" encoding="UTF-8"?>',
