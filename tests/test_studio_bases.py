@@ -1,4 +1,4 @@
-"""Bases in the browser: formulas evaluated there are Python's to 1e-12, on every construction and curve, and so are mistakes."""
+"""Bases in the browser: formulas evaluated there are Python's to 1e-12, on every construction and curve."""
 
 import json
 import shutil
@@ -27,7 +27,8 @@ const tell = {
     return t.map((x) => formulas.series(x, 3).map(numbers));
   },
   fast: ({ name, points, values, t }) => {
-    const functions = studio.family(studio.entry(name), points, values), out = new Float64Array(3 * t.length * functions.size);
+    const functions = studio.family(studio.entry(name), points, values);
+    const out = new Float64Array(3 * t.length * functions.size);
     functions.derivatives(Float64Array.from(t), t.length, out);
     return numbers(out);
   },
@@ -38,7 +39,8 @@ const tell = {
   curve: ({ model, t }) => {
     const curve = studio.curveOf(studio.fromDict(model).patches[0]);
     const at = t.map((x) => curve.at(x));
-    return { length: curve.length, ...Object.fromEntries(["point", "curvature", "torsion", "bend"].map((key) => [key, at.map((one) => one[key])])) };
+    const keys = ["point", "curvature", "torsion", "bend"];
+    return { length: curve.length, ...Object.fromEntries(keys.map((key) => [key, at.map((one) => one[key])])) };
   },
   said: ({ model }) => {
     try {

@@ -180,10 +180,12 @@ export class Inspector {
       combs.element.parentElement!.hidden = this.curves;
       scale.element.hidden = this.curves ? !s.comb : s.combs === "off";
     });
+    const net = h("span", {});
+    this.bindings.push(() => (net.textContent = this.curves ? "Polygon" : "Control net"));
     return [
       h("div", { class: "switches" },
-        flag("net", "Control net", rule("net")),
-        flag("comb", "Curvature comb", rule("combU"), "Teeth as long as the curvature, on the outer side of the bend"),
+        flag("net", net, rule("net")),
+        flag("comb", "Comb", rule("combU"), "Curvature comb: teeth as long as the curvature, on the outer side of the bend"),
         flag("curves", "Iso-curves"),
         flag("directions", "Directions", rule("first", "second"), "Principal directions. Strong: of κ1; light: of κ2"),
         flag("normals", "Normals", rule("normals")),

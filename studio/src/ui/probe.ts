@@ -33,6 +33,7 @@ export class ProbePanel {
   private readonly body = h("div", { class: "probe-body" });
   private readonly count = h("span", { class: "badge" });
   private readonly surfaces: readonly HTMLElement[];
+  private readonly hint = h("span", { class: "hint" });
   private readonly first = h("span", {}, h("i", { class: "math" }, "u"));
   private all = false;
   private u = 0.5;
@@ -53,7 +54,7 @@ export class ProbePanel {
       more.element, h("span", { class: "spacer" }),
       button("CSV", "Save the table as CSV", () => this.save()),
       button("Clear", "Clear: remove all pins", () => store.set({ pins: [] })));
-    this.element = h("details", { class: "probe" }, h("summary", {}, icon(ICONS.pin), "Probe", this.count, h("span", { class: "hint" }, "click the surface to pin a point")), tools, this.body);
+    this.element = h("details", { class: "probe" }, h("summary", {}, icon(ICONS.pin), "Probe", this.count, this.hint), tools, this.body);
     this.element.addEventListener("toggle", () => this.unfolded());
     this.suit(store.state);
     store.subscribe((now, before) => {
@@ -67,6 +68,7 @@ export class ProbePanel {
   private suit(state: State): void {
     const curve = isCurve(activePatch(state));
     for (const one of this.surfaces) one.hidden = curve;
+    this.hint.textContent = `click the ${curve ? "curve" : "surface"} to pin a point`;
     this.first.replaceChildren(h("i", { class: "math" }, curve ? "t" : "u"));
   }
 
