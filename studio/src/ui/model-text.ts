@@ -33,7 +33,7 @@ export class ModelText {
     });
     parts.update(this.part);
     this.copy = button("Copy the basis to a basis of your own", "Copy the formulas of the basis into the model, to change them", () => this.own(), "button");
-    this.element = section("Model as text", false, parts.element, this.text, this.wrong, this.copy, this.hint);
+    this.element = section("Model as text", false, parts.element, this.wrong, this.text, this.copy, this.hint);
     this.element.classList.add("model-text");
     this.element.addEventListener("toggle", () => this.refresh(store.state));
     this.text.addEventListener("input", () => {
