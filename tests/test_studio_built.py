@@ -12,12 +12,14 @@ import quintrig
 from quintrig.basis.bernstein import Bernstein
 from quintrig.basis.elementary import Powers
 from quintrig.basis.functions import Functions
+from quintrig.basis.library import LIBRARY
+from quintrig.basis.registry import family
 from quintrig.basis.trigonometric import Trigonometric
 from quintrig.geometry.surface import Net, Surface
 from quintrig.model.kinds.registry import OWN
 from quintrig.model.model import Model
 from quintrig.studio import BUNDLE
-from quintrig.studio.built import BASES, FAMILIES, functions, surface
+from quintrig.studio.built import FAMILIES, functions, surface
 from quintrig.studio.data import table
 
 SCRIPT = """
@@ -32,7 +34,7 @@ const answers = jobs.map(({ built, u, v }, n) => {
   const numbers = (a) => Array.from(a, (x) => (Number.isFinite(x) ? x : null));
   return Object.fromEntries(Object.entries(sample).map(([k, a]) => [k, numbers(a)]));
 });
-const names = [studio.FAMILIES, studio.BASES, studio.BUILDERS].map((table) => Object.keys(table));
+const names = [studio.FAMILIES, studio.LIBRARY, studio.BUILDERS].map((table) => Object.keys(table));
 process.stdout.write(JSON.stringify({ answers, names }));
 """
 
@@ -98,6 +100,7 @@ SURFACES = {
     ),
     "rows of their own": Surface(Twisted(), Bernstein(1)),
     "standing still": quintrig.tensor(NET, (-4, -4, -4, -4)),
+    "formulas": Surface(Net(NET[:4], family("c_bezier", 4)), family("generalised_trigonometric", 6, (0.3, -0.8))),
     "still in rows alone": Surface(Net(NET, Trigonometric(-4, 0)), Bernstein(5)),
 }
 SURFACES |= {name: Model.from_dict({"kind": name, **form.starter}).surface for name, form in OWN.items()}
@@ -146,8 +149,8 @@ def test_the_page_works_out_pythons_numbers(told, name):
 def test_both_sides_know_the_same_families_bases_and_kinds(told):
     families, bases, kinds = told["names"]
     assert set(families) == {*FAMILIES.values(), "chebyshev"} == set(table()["families"])
-    assert set(bases) == set(BASES) == set(table()["bases"])
-    assert set(kinds) == set(OWN)
+    assert set(bases) == {one.name for one in LIBRARY}
+    assert set(kinds) == set(OWN) == set(table()["kinds"]) - {"curve"}
 
 
 def test_series_are_small():

@@ -8,26 +8,41 @@ import { ModelError, toDict, type Model } from "./numerics/model";
 const DEEPEST = 20;
 
 /** Write a model as TOML. */
-export function toToml(model: Model): string {
-  const dict = toDict(model);
+export const toToml = (model: Model): string => written(toDict(model));
+
+/** Write the keys of a model file, or some of them, as TOML. */
+export function written(dict: Record<string, unknown>): string {
   const lines: string[] = [];
   const put = (keys: Record<string, unknown>) => {
     for (const [key, value] of Object.entries(keys)) if (value !== null && value !== undefined) lines.push(`${key} = ${spell(value)}`);
   };
   const { patch, join, ...header } = dict;
-  put(header);
+  const table = ({ bases, ...keys }: Record<string, unknown>, place = "") => {
+    put(keys);
+    for (const [name, basis] of Object.entries((bases ?? {}) as Record<string, Record<string, unknown>>)) {
+      lines.push("", `[${place}bases.${keyOf(name)}]`);
+      put(basis);
+    }
+  };
+  table(header);
   for (const [name, tables] of Object.entries({ patch, join })) {
-    for (const table of (tables ?? []) as Record<string, unknown>[]) {
+    for (const one of (tables ?? []) as Record<string, unknown>[]) {
       lines.push("", `[[${name}]]`);
-      put(table);
+      table(one, `${name}.`);
     }
   }
   return `${lines.join("\n")}\n`;
 }
 
+const keyOf = (name: string): string => (/^[\w-]+$/.test(name) ? name : JSON.stringify(name));
+
 function spell(value: unknown, indent = ""): string {
+  if (typeof value === "object" && value !== null && !Array.isArray(value)) {
+    return `{ ${Object.entries(value).map(([key, one]) => `${keyOf(key)} = ${spell(one)}`).join(", ")} }`;
+  }
   if (!Array.isArray(value)) return typeof value === "string" ? JSON.stringify(value) : String(value);
-  if (value.every((item) => !Array.isArray(item))) return `[${value.map((item) => spell(item)).join(", ")}]`;
+  const short = value.every((item) => !Array.isArray(item)) && !value.some((item) => typeof item === "string" && item.length > 12);
+  if (short) return `[${value.map((item) => spell(item)).join(", ")}]`;
   return `[\n${value.map((item) => `${indent}    ${spell(item, `${indent}    `)},\n`).join("")}${indent}]`;
 }
 

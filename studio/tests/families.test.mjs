@@ -4,7 +4,7 @@ import { test } from "node:test";
 import data from "../src/data.json" with { type: "json" };
 import { load } from "./load.mjs";
 
-const { BASES, FAMILIES, functionsOf } = await load("numerics/index.ts");
+const { FAMILIES, family, functionsOf, LIBRARY } = await load("numerics/index.ts");
 
 const EXAMPLES = {
   trigonometric: { alpha: -1.5, zeta: 0.7 },
@@ -14,10 +14,11 @@ const EXAMPLES = {
   hyperbolic: { start: -1, end: 0.5 },
   powers: { start: -2, end: 3, degree: 4 },
   joined: { parts: [{ family: "powers", start: 0, end: 1, degree: 1 }, { family: "bernstein", degree: 2 }] },
+  formulas: { functions: ["r^2*(1+k*t)", "t^2+r*t*(2-k*r)"], names: ["k"], values: [0.7] },
   // T0 + 2 T1 and T2, of x = 2t - 1: 4t - 1 and 2x² - 1
   chebyshev: { breaks: [0, 1], series: [[[[1, 0], [2, 0], [0, 1]], [[4, 0], [0, 8], [0, 0]], [[0, 16], [0, 0], [0, 0]]]] },
 };
-const SUM_TO_ONE = ["trigonometric", "bernstein", "bspline"];
+const SUM_TO_ONE = ["trigonometric", "bernstein", "bspline", "formulas"];
 
 /** Derivatives 0 to 2 of all functions at one t, as rows. */
 function at(functions, t) {
@@ -28,7 +29,7 @@ function at(functions, t) {
 
 test("there are the families and bases that Python speaks of, and examples of each", () => {
   assert.deepEqual(Object.keys(FAMILIES).sort(), [...data.families].sort());
-  assert.deepEqual(Object.keys(BASES).sort(), [...data.bases].sort());
+  assert.deepEqual(Object.keys(LIBRARY), data.library.map(({ name }) => name));
   assert.deepEqual(Object.keys(EXAMPLES).sort(), Object.keys(FAMILIES).sort());
 });
 
@@ -61,6 +62,20 @@ test("chebyshev: the series are what they say", () => {
   const functions = functionsOf({ family: "chebyshev", ...EXAMPLES.chebyshev });
   assert.deepEqual(at(functions, 0.75), [[2, -0.5], [4, 4], [0, 16]]);
 });
+
+for (const { name, sizes } of data.library) {
+  test(`${name}: from its formulas, the functions sum to one, start in the first point and end in the last`, () => {
+    for (const points of sizes.filter((n) => n <= 8)) {
+      const values = LIBRARY[name].basis(points).parameters.map(({ low, high }) => low + 0.6 * (high - low));
+      const functions = family(LIBRARY[name], points, values);
+      for (const t of [0, 0.2, 0.7, 1]) {
+        const [sum, slope, bend] = at(functions, t).map((row) => row.reduce((all, x) => all + x, 0));
+        assert.ok(Math.abs(sum - 1) < 1e-12 && Math.abs(slope) < 1e-10 && Math.abs(bend) < 1e-9, `${points} points, t = ${t}: ${sum}, ${slope}, ${bend}`);
+      }
+      assert.ok(Math.abs(at(functions, 0)[0][0] - 1) < 1e-12 && Math.abs(at(functions, 1)[0].at(-1) - 1) < 1e-12);
+    }
+  });
+}
 
 test("a family that the page does not know is named", () => {
   assert.throws(() => functionsOf({ family: "splines" }), /the page does not know splines functions/);

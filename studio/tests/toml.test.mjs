@@ -15,6 +15,16 @@ for (const preset of data.presets) {
   });
 }
 
+test("bases of its own survive, in one patch and in several", () => {
+  const bases = { mine: { functions: ["r*(1+lam*t*r)", "t*(1-lam*r^2)"], parameters: { lam: [-0.5, 0.5, 0.1] }, source: "A paper, eq. 2" }, plain: { functions: ["r", "t"] } };
+  const one = { kind: "tensor", basis: ["mine", "plain"], bases, points: [[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 1]]] };
+  for (const keys of [{ name: "one", ...one }, { name: "two", patch: [{ name: "a", ...one }, { name: "b", kind: "sphere" }] }]) {
+    const model = fromDict(keys);
+    assert.deepEqual(fromToml(toToml(model)), toDict(model));
+    assert.deepEqual(toDict(fromDict(fromToml(toToml(model)))), toDict(model));
+  }
+});
+
 for (const name of ['with "quotes" and \\', "ε, 日本, 🦋", "\ta tab"]) {
   test(`the name ${JSON.stringify(name)} survives`, () => {
     assert.equal(fromToml(toToml(fromDict({ kind: "sphere", name }))).name, name);

@@ -94,7 +94,7 @@ class Model(Handed):
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> Any:
         """Return the interactive view that a notebook shows; only the text where the extra ``jupyter`` is missing."""
-        return {"text/plain": repr(self)} if self.curves else mime_bundle(self)
+        return mime_bundle(self)
 
     def joins(self, **limits: Any) -> Any:
         """Return which edges of the patches meet, how smoothly, and which are free.

@@ -1,4 +1,4 @@
-"""Surfaces in the form that the browser evaluates: for kinds, bases and rows that its own engine cannot build.
+"""Surfaces in the form that the browser evaluates: for kinds and rows that its own engine cannot build.
 
 Rows of a net and families that the browser knows go over as their coefficients, exactly. Anything else goes over as
 Chebyshev series of its values and of its first two derivatives, each to rounding.
@@ -15,6 +15,7 @@ from numpy.polynomial.chebyshev import chebvander
 from quintrig.basis.bernstein import Bernstein
 from quintrig.basis.bspline import BSpline
 from quintrig.basis.elementary import Circular, Hyperbolic, Powers
+from quintrig.basis.formulas import Formulas
 from quintrig.basis.functions import MOVING, Functions, Still
 from quintrig.basis.joined import Joined
 from quintrig.basis.trigonometric import Trigonometric
@@ -23,6 +24,7 @@ from quintrig.geometry.surface import Net, Surface
 from quintrig.model.kinds.registry import OWN
 from quintrig.model.model import Model
 from quintrig.model.patch import Patch
+from quintrig.studio.bases import beyond
 from quintrig.support.arrays import FloatArray
 from quintrig.support.errors import QuintrigError
 
@@ -34,11 +36,9 @@ FAMILIES: dict[type[Functions], str] = {
     Hyperbolic: "hyperbolic",
     Powers: "powers",
     Joined: "joined",
+    Formulas: "formulas",
 }
 """Families that the browser evaluates from their own parameters, by their names there (numerics/families.ts)."""
-
-BASES = ("trigonometric", "bernstein")
-"""Bases of control points that the browser builds on by itself (numerics/basis.ts)."""
 
 _DEGREE = 24
 _CLOSE = 1e-13  # of the largest value: what is left between nodes is rounding
@@ -50,15 +50,15 @@ _NARROWEST = 2.0**-8  # of the domain: a piece that needs more is no smooth func
 
 
 def for_page(model: Model) -> dict[str, Any]:
-    """Return the keys of a model for a page: with the surfaces that the browser cannot build, where there are any."""
+    """Return the keys of a model for a page, with the surfaces and bases that it does not know, where there are any."""
     built = [_entry(patch) for patch in model.patches if not drawn_there(patch)]
-    return model.to_dict() | ({"built": built} if built else {})
+    library = beyond(model)
+    return model.to_dict() | ({"built": built} if built else {}) | ({"library": library} if library else {})
 
 
 def drawn_there(patch: Patch) -> bool:
     """Return whether the browser builds a patch by itself, from its keys."""
-    definition = patch.definition
-    return type(definition) is OWN.get(patch.kind) and getattr(definition, "basis", BASES[0]) in BASES
+    return type(patch.definition) is OWN.get(patch.kind)
 
 
 def rebuilt(patches: Iterable[Mapping[str, Any]]) -> list[dict[str, Any]]:
@@ -100,6 +100,11 @@ def functions(family: Functions, still: Still = MOVING) -> dict[str, Any]:
         return _series(family.derivatives, family.breaks)
     if isinstance(family, Joined):
         return {"family": name, "parts": [functions(part, still) for part in family.parts]}
+    if isinstance(family, Formulas):
+        return {"family": name, "functions": list(family.basis.functions)} | {
+            "names": list(family.parameters),
+            "values": list(family.values),
+        }
     keys = {
         field.name: np.asarray(getattr(family, field.name)).tolist()  # numbers of NumPy's types are JSON's then
         for field in dataclasses.fields(cast(Any, family))

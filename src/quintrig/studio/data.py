@@ -17,7 +17,8 @@ from quintrig.basis.trigonometric import SHAPE_RANGE
 from quintrig.figure import palette
 from quintrig.geometry.envelope import ROUNDING
 from quintrig.geometry.surface import FAR_OFF, SAME_POINT, STEPS_FOR_SIZE
-from quintrig.model.kinds.definition import LARGEST_POLYGON
+from quintrig.model.kinds.curve import CurveKind
+from quintrig.model.kinds.definition import LARGEST_POLYGON, Definition
 from quintrig.model.kinds.registry import OWN
 from quintrig.model.model import SCHEMA_VERSION, UNITS, load
 from quintrig.model.starter import starter
@@ -26,6 +27,7 @@ from quintrig.quantities.signs import CLASSES, POINTS, TYPES, SignTable
 from quintrig.quantities.table import BY_KEY, QUANTITIES, Quantity
 from quintrig.shaping.shape_effect import SHAPE_SETS
 from quintrig.studio import built
+from quintrig.studio.bases import library
 from quintrig.studio.kinds import kind
 from quintrig.studio.page import as_json
 from quintrig.support.arrays import LARGEST
@@ -36,8 +38,8 @@ from quintrig.support.tolerance import NOISE, SAME_COLOUR, SINGULAR, VERTICAL
 WORDS: dict[str, SignTable] = {"point_type": POINTS, "hk_type": TYPES, "shape_class": CLASSES}
 """The tables of signs that say in words what the types of a classification look like."""
 
-DRAWN = ("trigonometric", "bernstein")
-"""The bases that the browser can draw."""
+DRAWN: dict[str, type[Definition]] = {**OWN, "curve": CurveKind}
+"""Every kind that the browser draws: those of surfaces, and curves."""
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 """The example models of the repository, which become the presets when the bundle is built."""
@@ -67,9 +69,9 @@ def table() -> dict[str, Any]:
         },
         "shapeBreaks": list(SHAPE_BREAKS),
         "families": [*built.FAMILIES.values(), "chebyshev"],
-        "bases": list(built.BASES),
+        "library": library(),
         "words": {key: _words(BY_KEY[key], signs) for key, signs in WORDS.items()},
-        "kinds": {name: kind(form) for name, form in OWN.items()},
+        "kinds": {name: kind(form) for name, form in DRAWN.items()},
         "palette": {
             "undefined": palette.UNDEFINED,
             "front": palette.FRONT,
@@ -80,7 +82,7 @@ def table() -> dict[str, Any]:
             "sequential": _stops(palette.SEQUENTIAL),
         },
         "presets": _presets(),
-        "starters": {name: parse(starter(name), ".toml") for name in OWN},
+        "starters": {name: parse(starter(name), ".toml") for name in DRAWN},
     }
 
 

@@ -77,6 +77,7 @@ def rows(reasons: dict[str, str]) -> list[dict[str, str]]:
 
 def _refuse(model: Model, form: Format, patch: str | None) -> None:
     """Raise the error of writing a format as far as that is told by little work."""
+    model.refuse_curves()
     if form.family in ("cad", "mesh"):
         refuse_point(model)
     elif form.family == "net":

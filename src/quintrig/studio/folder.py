@@ -65,7 +65,6 @@ def checked(name: str, text: str, folder: Path | None = None) -> Model:
         if folder is not None and isinstance(data, dict):
             _refuse_way_out(cast(dict[str, Any], data), folder)
         model = Model.from_dict(cast(Any, data), folder)
-        model.refuse_curves()
     except ModelError as error:
         raise ModelError(f"{name}: {error}") from None
     return model

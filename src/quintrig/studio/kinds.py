@@ -6,6 +6,7 @@ from typing import Any, cast
 import annotated_types
 from pydantic import TypeAdapter
 
+from quintrig.model.kinds.curve import CurveKind
 from quintrig.model.kinds.definition import Definition
 from quintrig.model.kinds.registry import OWN, kinds
 from quintrig.model.model import Model
@@ -24,6 +25,7 @@ def kind(form: type[Definition]) -> dict[str, Any]:
     return {
         "title": (form.__doc__ or "").strip().splitlines()[0].rstrip("."),
         "construction": bool(form.nets),
+        "surface": form is not CurveKind,
         "shapeNames": list(form.shape_names),
         "fields": {key: _field(form, key, properties[key]) for key in keys},
     }
@@ -59,6 +61,8 @@ def _field(form: type[Definition], key: str, schema: dict[str, Any]) -> dict[str
 
 
 def _type(form: type[Definition], key: str, schema: dict[str, Any]) -> dict[str, Any]:
+    if form is CurveKind and key in form.nets:
+        return {"type": "points", "counts": [0], "dimension": 0}  # any number of points, in the plane or in space
     if key in form.nets and key in form.counts:
         return {"type": "points", "counts": list(form.counts[key]), "dimension": _dimension(schema)}
     if "enum" in schema:

@@ -12,9 +12,16 @@ _FACETS, _MOST = 60, 36_000  # a side, and in all: a notebook should not wait lo
 
 
 def png(model: Model, key: str) -> bytes:
-    """Return a picture of all patches, coloured by the quantity ``key`` or plain with ``none``."""
+    """Return a picture of all patches, coloured by the quantity ``key`` or plain with ``none``; or of all curves."""
     # matplotlib is slow to import, and only pictures need it.
-    from quintrig.figure import Scene, space_picture, to_png_bytes
+    from quintrig.figure import Scene, plane_curves, space_curves, space_picture, to_png_bytes
+
+    if model.curves:
+        curves = [one.curve for one in model.curves]
+        draw = plane_curves if curves[0].points.shape[1] == 2 else space_curves
+        return to_png_bytes(
+            draw(curves, [one.name for one in model.curves], title=model.name, unit=model.unit), dpi=110
+        )
 
     cells = max(8, min(_FACETS, int((_MOST / len(model.patches)) ** 0.5)))
     surfaces = [patch.surface for patch in model.patches]
@@ -25,6 +32,13 @@ def png(model: Model, key: str) -> bytes:
 
 def text(model: Model, key: str) -> str:
     """Return what is shown in one line: name, kinds, size and the quantity that colours it."""
+    if model.curves:
+        count = len(model.curves)
+        parts = ", ".join(f"{one.curve.length():.4g} {model.unit}".rstrip() for one in model.curves[:4])
+        what = "one curve, length" if count == 1 else f"{count} curves, lengths"
+        return (
+            f"{model.name}: {what} {parts}{', ...' if count > 4 else ''}; interactive in Jupyter while its kernel runs"
+        )
     kinds = Counter(patch.kind for patch in model.patches)
     parts = ", ".join(kind if count == 1 else f"{count} {kind}" for kind, count in kinds.items())
     what = f"one patch ({parts})" if len(model.patches) == 1 else f"{len(model.patches)} patches ({parts})"

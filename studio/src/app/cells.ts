@@ -1,6 +1,7 @@
 /** What stands side by side in the picture. */
 
 import { analyse } from "../numerics/sample";
+import { curveOf, isCurve, type Curve } from "../numerics/curve";
 import { extent, type Surface } from "../numerics/surface";
 import { coverage, windowOf } from "../numerics/trim";
 import { build, shapeOf, type Model, type Patch } from "../numerics/model";
@@ -21,7 +22,7 @@ export function cellsOf(state: State): Shown[] {
   const now = { label: "", model, editable: true };
   if (compare === "before") return [{ label: "before", model: saved, editable: false }, { ...now, label: "now" }];
   if (compare === "kept" && kept.length) return [{ ...now, label: "now" }, ...kept.map((one) => ({ ...one, editable: false }))];
-  const count = shapeOf(model.patches[patch]!).length, sets = shapeSets(count);
+  const sets = shapeSets(model.patches[patch]!);
   if (compare === "sets" && sets.length) {
     return sets.map((set) => ({ label: `(${set.join(", ").replaceAll("-", "−")})`, model: withShape(model, set), editable: true }));
   }
@@ -34,7 +35,7 @@ export const mainCell = ({ compare }: State, count: number): number => (compare 
 /** The model with a set of shape parameters; the same patch for the same patch, so that nothing is worked out twice. */
 function withShape(model: Model, set: readonly number[]): Model {
   const change = (patch: Patch): Patch => {
-    if (shapeOf(patch).length !== set.length || String(shapeOf(patch)) === String(set)) return patch;
+    if (shapeSets(patch)[0]?.length !== set.length || String(shapeOf(patch)) === String(set)) return patch;
     const known = shaped.get(patch) ?? new Map<string, Patch>();
     shaped.set(patch, known);
     const made = known.get(String(set)) ?? { ...patch, shape: set };
@@ -67,12 +68,18 @@ function bulk(surface: Surface): Box {
   return { low: at.map((x) => Math.max(low[x]!, first[x]! - rim[x]!)), high: at.map((x) => Math.min(high[x]!, last[x]! + rim[x]!)) };
 }
 
+/** The box of a curve. */
+function around(curve: Curve): Box {
+  const points = curve.sample(SIDE).map(({ point }) => point), at = [0, 1, 2];
+  return { low: at.map((x) => Math.min(...points.map((p) => p[x]!))), high: at.map((x) => Math.max(...points.map((p) => p[x]!))) };
+}
+
 /** The box around the surfaces of all cells; null where none can be built. */
 export function boxOf(cells: readonly Shown[]): Box | null {
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
   for (const patch of cells.flatMap(({ model }) => model.patches)) {
     try {
-      const box = bulk(build(patch));
+      const box = isCurve(patch) ? around(curveOf(patch)) : bulk(build(patch));
       for (let x = 0; x < 3; x++) {
         low[x] = Math.min(low[x]!, box.low[x]!);
         high[x] = Math.max(high[x]!, box.high[x]!);

@@ -1,7 +1,6 @@
 /** The keyboard: every command that the pointer has. */
 
-import { handles } from "../edit/handles";
-import { build } from "../numerics/model";
+import { handlesOf } from "../edit/handles";
 import { isTyping } from "../ui/controls";
 import { nudge } from "../ui/model-panel";
 import type { ViewName } from "../view/camera";
@@ -103,7 +102,7 @@ function arrowKey([right, up]: readonly [number, number], shift: boolean, c: Com
 
 function choosePoint(store: Store, step: number): void {
   const patch = activePatch(store.state);
-  const list = handles(patch, build(patch)).filter((handle) => !handle.mirrored);
+  const list = handlesOf(patch).filter((handle) => !handle.mirrored);
   if (!list.length) return;
   const at = list.findIndex((handle) => handle.id === store.state.selected);
   store.set({ selected: list[(at + step + list.length) % list.length]!.id });

@@ -1,6 +1,7 @@
 /** Keeps the picture up to date: evaluates what changed, at as many points as a frame's time allows. */
 
-import { handles, polylines } from "../edit/handles";
+import { handles, handlesOf, polygonOf, polylines } from "../edit/handles";
+import { curveOf, isCurve } from "../numerics/curve";
 import { regression } from "../numerics/envelope";
 import { build, type Patch } from "../numerics/model";
 import { QUANTITY } from "../numerics/quantity";
@@ -8,7 +9,7 @@ import { analyse } from "../numerics/sample";
 import type { Surface } from "../numerics/surface";
 import type { Frame } from "../view/frame";
 import type { SurfaceMesh } from "../view/mesh";
-import { toothOf } from "../view/overlays";
+import { toothOf, toothOfCurves } from "../view/overlays";
 import { sharpest, type Sharpest } from "../view/radius";
 import type { Cell, Piece } from "../view/cell";
 import type { Stage } from "../view/stage";
@@ -19,6 +20,7 @@ import type { State } from "./state";
 const FRAME_BUDGET = 9; // ms that evaluating everything may take while something moves
 const PROMPT = 20, LATE = 40; // ms from asking for a frame to its beginning: the card keeps up, or is behind
 const LEAST = 36; // points a side
+const CURVE = 361; // points of a curve
 const STEPS = [1, 0.7, 0.5, 0.35, 0.25]; // of the points a side at rest
 
 export class Painter {
@@ -28,11 +30,13 @@ export class Painter {
   private coarse = 75;
   /** Points a side that the card keeps up with while something moves. */
   private drawable = Infinity;
+  /** Scene length of the teeth of curves' combs per curvature. */
+  private tooth = 0;
 
   constructor(private readonly stage: Stage, private readonly fail: (message: string) => void) {}
 
   get meshes(): SurfaceMesh[] {
-    return this.stage.cells.flatMap((cell) => cell.pieces.map((piece) => piece.mesh));
+    return this.stage.cells.flatMap((cell) => cell.pieces.filter((piece) => piece.surface).map((piece) => piece.mesh));
   }
 
   /** Evaluate the surfaces whose patch, resolution or frame changed; the time that it took, ms. */
@@ -59,6 +63,8 @@ export class Painter {
   /** Bring the lines and points over the surfaces up to date. */
   decorate(shown: readonly Shown[], state: State, frame: Frame): void {
     const tooth = state.settings.combs === "off" ? 0 : toothOf(this.meshes, state.settings, frame);
+    const curves = this.stage.cells.flatMap((cell) => cell.pieces.map((piece) => piece.curve)).filter((curve) => curve.length);
+    this.tooth = state.settings.comb && curves.length ? toothOfCurves(curves, state.settings.combScale, frame) : 0;
     shown.forEach(({ editable }, i) => this.overlay(this.stage.cells[i]!, state, frame, editable, tooth));
   }
 
@@ -78,7 +84,10 @@ export class Painter {
     piece.quantity = settings.quantity;
     if (same) return 0;
     try {
+      if (isCurve(patch)) return this.curve(piece, patch, frame);
       if (piece.patch !== patch) piece.surface = build(patch);
+      if (piece.curve.length) piece.overlays.curve((piece.curve = []), frame, 0);
+      piece.mesh.mesh.visible = true;
     } catch (error) {
       this.fail((error as Error).message);
       return 0;
@@ -91,15 +100,27 @@ export class Painter {
     return side * side;
   }
 
+  /** A curve has no mesh: its points are all that there is. */
+  private curve(piece: Piece, patch: Patch, frame: Frame): number {
+    piece.curve = curveOf(patch).sample(CURVE);
+    Object.assign(piece, { surface: null, patch, side: this.side, frame, lines: "", net: "" });
+    piece.mesh.mesh.visible = false;
+    piece.overlays.edge([], frame);
+    return 0;
+  }
+
   private overlay(cell: Cell, state: State, frame: Frame, editable: boolean, tooth: number): void {
     cell.pieces.forEach((piece, i) => {
-      if (!piece.surface || !piece.patch) return;
-      const lines = linesOf(state.settings, tooth), net = state.settings.net, active = net && editable && i === state.patch;
-      if (piece.lines !== lines) piece.overlays.update(piece.mesh, state.settings, frame, tooth);
+      if ((!piece.surface && !piece.curve.length) || !piece.patch) return;
+      const net = state.settings.net, active = net && editable && i === state.patch;
+      const lines = piece.surface ? linesOf(state.settings, tooth) : `curve ${this.tooth}`;
+      if (piece.lines !== lines && !piece.surface) piece.overlays.curve(piece.curve, frame, this.tooth);
+      else if (piece.lines !== lines) piece.overlays.update(piece.mesh, state.settings, frame, tooth);
       piece.lines = lines;
       const shown = `${net} ${active} ${active ? state.selected : ""} ${state.moving}`;
       if (piece.net === shown) return;
       piece.net = shown;
+      if (!piece.surface) return piece.overlays.net(net ? polygonOf(piece.patch) : [], active ? handlesOf(piece.patch) : [], state.selected, frame);
       piece.overlays.net(net ? polylines(piece.patch, piece.surface) : [], active ? handles(piece.patch, piece.surface) : [], state.selected, frame);
       // Found by a search of its own, so not while something moves.
       piece.overlays.edge(state.moving ? [] : edgeOf(piece.patch, piece.surface), frame);

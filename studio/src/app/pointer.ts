@@ -1,6 +1,7 @@
 /** The pointer over the picture: turn, pan, zoom, drag control points, look at and pin points. */
 
 import { handlesOf, moved, type Handle } from "../edit/handles";
+import { isCurve } from "../numerics/curve";
 import { follow, onGrid, wayOf, type Way } from "../edit/way";
 import { toModel, toScene, type Frame } from "../view/frame";
 import { gizmo, partAt, pixelAt } from "../view/gizmo";
@@ -133,7 +134,7 @@ export function listen(canvas: HTMLCanvasElement, around: Surroundings): void {
     drag = null;
     store.settle();
     if (event.type === "pointercancel" || done.far > 4 || done.kind !== "turn" || event.button !== 0) return;
-    const place = stage.pick(done.x, done.y, store.state.settings, around.frame());
+    const place = placeAt(done.x, done.y);
     if (place) {
       const selected = place.piece === store.state.patch ? store.state.selected : null;
       store.set({ hover: null, patch: place.piece, selected, pins: [...store.state.pins, { patch: place.piece, u: rounded(place.u), v: rounded(place.v) }] });
@@ -158,8 +159,14 @@ export function listen(canvas: HTMLCanvasElement, around: Surroundings): void {
     around.redraw();
   }, { passive: false });
 
+  /** The place on a surface, or on a curve, under the pointer. */
+  function placeAt(x: number, y: number): { cell: number; piece: number; u: number; v: number } | null {
+    if (isCurve(activePatch(store.state))) return stage.pickCurve(x, y, around.frame(), NEAR);
+    return stage.pick(x, y, store.state.settings, around.frame());
+  }
+
   function look(x: number, y: number): void {
-    const place = stage.pick(x, y, store.state.settings, around.frame());
+    const place = placeAt(x, y);
     if (place) store.set({ hover: { patch: place.piece, u: rounded(place.u), v: rounded(place.v), x, y, cell: place.cell } });
     else if (store.state.hover) store.set({ hover: null });
   }

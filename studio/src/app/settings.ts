@@ -16,6 +16,8 @@ export interface Settings {
   readonly normals: boolean;
   readonly combs: "off" | "u" | "v" | "both";
   readonly combScale: number;
+  /** Whether curves have combs. */
+  readonly comb: boolean;
   readonly zeroK: boolean;
   readonly zeroH: boolean;
   readonly minRadius: boolean;
@@ -42,7 +44,7 @@ export interface Settings {
 
 export const DEFAULTS: Settings = {
   quantity: "gaussian", range: "robust", percentile: 2, low: -1, high: 1, contours: false,
-  net: true, curves: true, directions: false, normals: false, combs: "off", combScale: 1, zeroK: false, zeroH: false, minRadius: false,
+  net: true, curves: true, directions: false, normals: false, combs: "off", combScale: 1, comb: true, zeroK: false, zeroH: false, minRadius: false,
   stripes: "none", density: 24, lightAzimuth: 30, lightElevation: 60,
   section: false, sectionAzimuth: 0, sectionTilt: 0, sectionAt: 0, clip: false,
   wireframe: false, projection: "perspective", theme: "auto", snap: false, snapStep: 1, locks: [false, false, false], resolution: 150,

@@ -3,7 +3,8 @@
 import data from "../data.json";
 import { refusal } from "../numerics/built";
 import { drawnHere } from "../numerics/builders";
-import { fromDict, STARTERS, type Model, type Patch } from "../numerics/model";
+import { isStandard } from "../numerics/chosen";
+import { fromDict, shapeOf, STARTERS, type Model, type Patch } from "../numerics/model";
 import { remember, type Settings } from "./settings";
 
 /** What else is shown beside the model. */
@@ -163,9 +164,9 @@ const workOf = ({ model, saved, source, opened }: State): Work => ({ model, save
 
 export const PRESETS: readonly Model[] = (data.presets as unknown[]).map(fromDict);
 
-/** The four sets of shape parameters of the thesis for a kind with this many. */
-export const shapeSets = (count: number): readonly (readonly number[])[] =>
-  (data.shapeSets as Record<string, number[][]>)[String(count)] ?? [];
+/** The four sets of shape parameters of the thesis for a patch on its basis; none for other patches. */
+export const shapeSets = (patch: Patch): readonly (readonly number[])[] =>
+  (isStandard(patch) ? (data.shapeSets as Record<string, number[][]>)[String(shapeOf(patch).length)] : undefined) ?? [];
 
 /** A starter model of a kind. */
 export const starterOf = (kind: string): Model => fromDict(STARTERS[kind]);

@@ -1,7 +1,8 @@
 /** The studio put together: state, panels and picture, and what has to be worked out again after a change. */
 
-import { handles } from "../edit/handles";
-import { build, type Model } from "../numerics/model";
+import { handlesOf } from "../edit/handles";
+import { curveOf, isCurve } from "../numerics/curve";
+import type { Model } from "../numerics/model";
 import { QUANTITY } from "../numerics/quantity";
 import { Hud } from "../ui/hud";
 import { Inspector } from "../ui/inspector";
@@ -27,7 +28,7 @@ import { press } from "./keys";
 import { Painter } from "./painter";
 import { listen, still } from "./pointer";
 import { remembered, type Settings } from "./settings";
-import { Store, type Source, type State } from "./state";
+import { activePatch, Store, type Source, type State } from "./state";
 import { warningOf } from "./warning";
 
 const QUICK = 160; // ms between frames
@@ -67,6 +68,10 @@ export class Studio {
   private stale = true;
   private refit = true;
   private fitAfter = false;
+  /** Another model or kind is shown: plane curves are looked at from the top, what follows them is not. */
+  private fresh = true;
+  private flat = false;
+  private from: ViewName | null = null;
 
   constructor(private readonly container: HTMLElement, private readonly host: Host, start: Start) {
     const settings: Settings = { ...remembered(), ...(start.quantity ? { quantity: start.quantity } : {}) };
@@ -124,9 +129,9 @@ export class Studio {
   private changed(now: State, before: State, start: Start): void {
     if (now.model !== before.model) {
       start.onModel?.(now.model);
-      if (now.model.patches.some((patch, i) => patch.kind !== before.model.patches[i]?.kind) || now.model.patches.length !== before.model.patches.length) this.refit = true;
+      if (now.model.patches.some((patch, i) => patch.kind !== before.model.patches[i]?.kind) || now.model.patches.length !== before.model.patches.length) this.refit = this.fresh = true;
     }
-    if (now.opened !== before.opened) this.refit = true;
+    if (now.opened !== before.opened) this.refit = this.fresh = true;
     const shownBefore = before.compare !== now.compare;
     if (now.hover !== before.hover && now.model === before.model && now.settings === before.settings) this.hud.refresh(now, this.frame, this.sharp);
     if (now.model !== before.model || now.settings !== before.settings || now.patch !== before.patch || shownBefore || now.kept !== before.kept || now.saved !== before.saved || now.moving !== before.moving || now.selected !== before.selected) this.plan(true);
@@ -186,13 +191,17 @@ export class Studio {
     this.surfaces = this.painter.evaluate(shown, state, this.frame);
     const { meshes } = this.painter;
     const q = QUANTITY[settings.quantity];
-    this.range = q && q.colour !== "classes" ? rangeOf(meshes, q, settings) : null;
-    if (!q) this.legend.plain(settings.stripes !== "none");
+    this.range = q && meshes.length && q.colour !== "classes" ? rangeOf(meshes, q, settings) : null;
+    const curves = isCurve(activePatch(state));
+    if (curves) this.legend.element.hidden = true;
+    else if (!q) this.legend.plain(settings.stripes !== "none");
     else if (this.range) this.legend.real(q.key, this.range, state.model.unit, this.dark);
     else this.legend.classes(q.key, meshes.map((mesh) => mesh.counts));
     this.stage.style(settings, this.range, this.dark, this.frame, state.patch);
     this.painter.decorate(shown, state, this.frame);
-    if (this.fitAfter) this.stage.fit(this.frame, true, this.margin());
+    if (this.fitAfter && this.from) this.stage.view(this.from, this.frame, true, this.margin());
+    else if (this.fitAfter) this.stage.fit(this.frame, true, this.margin());
+    this.from = null;
     this.fitAfter = false;
     this.sharp = settings.minRadius && !state.moving ? this.painter.sharpest() : [];
     this.bar.refresh(state);
@@ -202,7 +211,7 @@ export class Studio {
     const surface = this.stage.cells[0]?.pieces[state.patch]?.surface ?? null;
     this.status.refresh(state, {
       side: this.painter.side, cost: this.painter.cost, singular: meshes.reduce((sum, mesh) => sum + mesh.singular, 0), points: meshes.reduce((sum, mesh) => sum + mesh.places, 0),
-      sharp: this.sharp[0]?.at ?? null, surface, warning: warningOf(state, surface),
+      sharp: this.sharp[0]?.at ?? null, surface, curve: curves ? curveOf(activePatch(state)) : null, warning: warningOf(state, surface),
     });
   }
 
@@ -212,6 +221,9 @@ export class Studio {
     const box = boxOf(shown);
     if (!box) return;
     this.frame = frameOf(box.low, box.high);
+    const flat = shown.every(({ model }) => model.patches.every((patch) => isCurve(patch) && curveOf(patch).flat));
+    if (this.fresh && (flat || this.flat)) this.from = flat ? "top" : "iso";
+    [this.fresh, this.flat] = [false, flat];
     this.inspector.sectionBox(box);
     this.store.setting({ sectionAt: 0, snapStep: 10 ** Math.round(Math.log10(Math.max(2 / this.frame.scale, 1e-30) / 100)) });
     this.fitAfter = true;
@@ -264,7 +276,7 @@ export class Studio {
   /** Where the handle of a control point, or a grip of the section plane, is in the window, in CSS pixels; null where there is none. */
   locate(id: string): { x: number; y: number } | null {
     const { state } = this.store, patch = state.model.patches[state.patch]!, grips = sectionGrips(state.settings, this.frame);
-    const handle = handles(patch, build(patch)).find((one) => one.id === id);
+    const handle = handlesOf(patch).find((one) => one.id === id);
     if (!handle && id !== "move" && id !== "tilt") return null;
     const p = this.stage.project(0, handle ? toScene(this.frame, handle.position) : grips[id as "move" | "tilt"]), box = this.canvas.getBoundingClientRect();
     return { x: box.left + p.x, y: box.top + p.y };

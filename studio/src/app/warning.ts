@@ -1,7 +1,11 @@
 /** What a reader of the picture must beware of, in words. */
 
 import { regression } from "../numerics/envelope";
-import { shapeOf, SHAPE_RANGE } from "../numerics/model";
+import { choicesOf, moving } from "../numerics/chosen";
+import { holds, rangeOf } from "../numerics/formulas";
+import { shapeOf, shapeParameters } from "../numerics/model";
+import { isCurve } from "../numerics/curve";
+import { short } from "../ui/format";
 import { extent, type Surface } from "../numerics/surface";
 import { activePatch, type State } from "./state";
 
@@ -9,7 +13,10 @@ import { activePatch, type State } from "./state";
 export function warningOf(state: State, surface: Surface | null): string {
   const patch = activePatch(state);
   if (surface && extent(surface).size === 0) return "A single point: it has no size, no tangent plane and no curvature";
-  if (shapeOf(patch).some((x) => x < SHAPE_RANGE[0] || x > SHAPE_RANGE[1])) return "Shape parameters outside [−4, 1]: the convex-hull property is lost";
+  const values = shapeOf(patch), wrong = shapeParameters(patch).find((one, i) => !holds(one, values[i]!));
+  const off = patch["unchecked_basis"] === true ? moving(choicesOf(patch))[0] : undefined;
+  if (off) return `The functions of the basis ${off.name} do not sum to 1 (off by ${short(off.offSum.by, 3)} ${off.offSum.where}): the ${isCurve(patch) ? "curve" : "surface"} moves with the origin`;
+  if (wrong) return `Shape parameters outside ${rangeOf(wrong).replaceAll("-", "−")}: the convex-hull property is lost`;
   if ((patch["trim"] as unknown[] | undefined)?.length) return "A trimmed face: meshes and CAD files take the whole of its surface";
   if (patch.kind !== "developable" || state.moving || !surface) return "";
   const inside = regression(surface);

@@ -1,6 +1,7 @@
 /** One construction as another, where that is the same surface. */
 
 import { reflected } from "../numerics/construct";
+import { isCurve } from "../numerics/curve";
 import { valueOf, type Patch } from "../numerics/model";
 
 type Vec = readonly number[];
@@ -8,6 +9,7 @@ type Vec = readonly number[];
 /** The patch as this kind with the same surface, point by point; null where the kind cannot hold it. */
 export function converted(patch: Patch, kind: string): Patch | null {
   if (kind === patch.kind) return patch;
+  if (isCurve(patch) || !["trigonometric", "bernstein", undefined].includes(valueOf(patch, "basis") as string | undefined)) return null;
   const points = netOf(patch);
   if (!points) return null;
   const classical = patch.kind === "nurbs" || valueOf(patch, "basis") === "bernstein";

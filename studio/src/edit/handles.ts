@@ -2,6 +2,7 @@
 
 import { reflected } from "../numerics/construct";
 import type { Patch } from "../numerics/model";
+import { isCurve } from "../numerics/curve";
 import { build, KINDS, valueOf } from "../numerics/model";
 import { analyse } from "../numerics/sample";
 import type { Surface } from "../numerics/surface";
@@ -35,13 +36,19 @@ export function handlesOf(patch: Patch): readonly Handle[] {
   let found = known.get(patch);
   if (!found) {
     try {
-      found = handles(patch, build(patch));
+      found = isCurve(patch) ? curveHandles(patch) : handles(patch, build(patch));
     } catch {
       found = [];
     }
     known.set(patch, found);
   }
   return found;
+}
+
+/** The control points of a curve; those of a plane one stay in its plane. */
+function curveHandles(patch: Patch): Handle[] {
+  const points = valueOf(patch, "points") as Vec[], flat = points[0]!.length === 2;
+  return polygon("points", points.map((p) => [p[0]!, p[1]!, p[2] ?? 0]), flat ? [true, true, false] : ALL, BLUE).map((one, i) => ({ ...one, label: `P${lowered(i)}` }));
 }
 
 /** Every handle of a patch; its surface says where the handles of planes sit. */
@@ -84,6 +91,7 @@ export function moved(patch: Patch, handle: Handle, to: Vec): Patch {
   }
   let target = handle.position.map((x, i) => (handle.free[i] ? to[i]! : x));
   if (handle.mirrored) target = reflected(target, valueOf(patch, "mirror") as Vec);
+  if (isCurve(patch)) return replaced(patch, handle.key, handle.index, target.slice(0, handle.free[2] ? 3 : 2).map(tidy));
   const point = patch.kind !== "swung" ? target : handle.key === "profile" ? [target[0]!, target[2]!] : [target[0]!, target[1]!];
   return replaced(patch, handle.key, handle.index, point.map(tidy));
 }
@@ -95,6 +103,12 @@ export function replaced(patch: Patch, key: string, index: readonly number[], po
     return (value as unknown[]).map((item, i) => (i === path[0] ? set(item, path.slice(1)) : item));
   };
   return { ...patch, [key]: set(valueOf(patch, key), index) };
+}
+
+/** The control polygon of a curve, to its end. */
+export function polygonOf(patch: Patch): Vec[][] {
+  const points = (valueOf(patch, "points") as Vec[]).map((p) => [p[0]!, p[1]!, p[2] ?? 0]);
+  return [valueOf(patch, "close") === true ? [...points, points[0]!] : points];
 }
 
 /** The polylines of the control net. */

@@ -3,9 +3,6 @@
 import { cosine, sinCos, sine, store, type Functions } from "./functions";
 import { combine, jet, jets, powers, product, quotient, type Jet } from "./taylor";
 
-/** A key of BASES. */
-export type BasisName = string;
-
 const s = jet(), c = jet(), a = jet(), b = jet(), one = jet();
 const a2 = jet(), b2 = jet(), both = jet(), factor = jet(), work = jet();
 const hodograph = jets(5), across = jets(5);
@@ -100,20 +97,6 @@ export class Bernstein implements Functions {
       form(x, rest, out, n, p);
     }
   }
-}
-
-/** A basis of control points: its functions for this many of them, with shape parameters on which it may depend. */
-type Basis = (points: number, alpha: number, zeta: number, still: Still) => Functions;
-
-/** Every basis on which the page builds by itself, by name; surfaces on any other are built by Python. */
-export const BASES: Readonly<Record<string, Basis>> = {
-  trigonometric: (_, alpha, zeta, still) => new Trigonometric(alpha, zeta, still),
-  bernstein: (points) => new Bernstein(points - 1),
-};
-
-/** The basis called `name` for this many control points. */
-export function family(name: BasisName, points: number, alpha: number, zeta: number, still = MOVING): Functions {
-  return BASES[name]!(points, alpha, zeta, still);
 }
 
 /** Whether a surface on these rows of points stands still at either end: as at -4, or where two rows coincide. */

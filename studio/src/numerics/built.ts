@@ -4,6 +4,7 @@
  */
 
 import { MOVING, Trigonometric } from "./basis";
+import { Formulas } from "./formulas";
 import { packed, type Vector } from "./construct";
 import { Envelope } from "./envelope";
 import { functionsOf, type FamilyKeys } from "./families";
@@ -117,9 +118,9 @@ function described({ origin, flip, net, blend, ...rest }: Described): Surface {
 function rowsOf({ points, planes, bounds, functions, dimension }: Omit<Described, "blend" | "origin" | "flip" | "net">, origin: Vector): Rows {
   const own = functionsOf(functions);
   if (points) return new Net(packed(points), own);
-  if (planes && bounds && own instanceof Trigonometric) {
-    const local = (plane: Vector) => movedPlane(plane, origin);
-    return new Envelope(planes.map(local), bounds.map(local), new Trigonometric(own.alpha, own.zeta, MOVING));
+  if (planes && bounds && (own instanceof Trigonometric || own instanceof Formulas)) {
+    const local = (plane: Vector) => movedPlane(plane, origin), dual = own instanceof Formulas ? own : new Trigonometric(own.alpha, own.zeta, MOVING);
+    return new Envelope(planes.map(local), bounds.map(local), dual, !(own instanceof Formulas) || own.partition);
   }
   return { size: own.size / dimension, dimension, derivatives: (u, n, out) => own.derivatives(u, n, out) };
 }

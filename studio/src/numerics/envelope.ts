@@ -2,19 +2,24 @@
 
 import data from "../data.json";
 import { Bernstein, Trigonometric } from "./basis";
+import type { Functions } from "./functions";
 import type { Vector } from "./construct";
 import { localOrigin, movedPlane } from "./origin";
 import type { Rows, Surface } from "./surface";
-import { jets } from "./taylor";
+import { jets, type Jet } from "./taylor";
 
 const { noise: NOISE, rounding: ROUNDING } = data.limits;
 
+/** Functions of the dual construction, with the series of what Π' is made of: of the steps between planes where they sum to 1. */
+export interface Dual extends Functions {
+  slopes(t: number, start: boolean, end: boolean, out: readonly Jet[]): void;
+}
+
 /** The strip enveloped by Π(t) = Σ f_i(t; α, ζ) L_i between two bounding planes; Error where there is none. */
-export function developable(planes: readonly Vector[], bounds: readonly Vector[], shape: readonly number[], flip: boolean): Surface {
-  const functions = new Trigonometric(shape[0]!, shape[1]!);
-  const origin = stripOrigin(new Envelope(planes, bounds, functions));
+export function developable(planes: readonly Vector[], bounds: readonly Vector[], functions: Dual, steps: boolean, flip: boolean): Surface {
+  const origin = stripOrigin(new Envelope(planes, bounds, functions, steps));
   const local = (plane: Vector) => movedPlane(plane, origin);
-  const rows = new Envelope(planes.map(local), bounds.map(local), functions);
+  const rows = new Envelope(planes.map(local), bounds.map(local), functions, steps);
   if (!rows.meets()) {
     throw new Error(
       "planes: the control planes envelop no strip that the bounding planes cut (they are equal, parallel, or all " +
@@ -47,16 +52,20 @@ export class Envelope implements Rows {
   private readonly start: boolean;
   private readonly end: boolean;
   private scratch = new Float64Array(0);
-  private readonly hodograph = jets(5);
+  private readonly hodograph: Jet[];
 
-  constructor(private readonly planes: readonly Vector[], private readonly bounds: readonly Vector[], private readonly functions: Trigonometric) {
-    this.edges = planes.slice(1).map((plane, i) => plane.map((x, k) => x - planes[i]![k]!));
-    this.start = functions.alpha === -4 || this.edges[0]!.every((x) => x === 0);
-    this.end = functions.zeta === -4 || this.edges[4]!.every((x) => x === 0);
+  /** `steps`: the functions sum to 1, and Π' is made of the steps between planes. */
+  constructor(private readonly planes: readonly Vector[], private readonly bounds: readonly Vector[], private readonly functions: Dual, steps = true) {
+    this.edges = steps ? planes.slice(1).map((plane, i) => plane.map((x, k) => x - planes[i]![k]!)) : planes.map((plane) => [...plane]);
+    const still = (shape: "alpha" | "zeta", edge: readonly number[]) => functions instanceof Trigonometric && (functions[shape] === -4 || edge.every((x) => x === 0));
+    this.start = still("alpha", this.edges[0]!);
+    this.end = still("zeta", this.edges.at(-1)!);
+    this.hodograph = jets(this.edges.length);
   }
 
   derivatives(u: Float64Array, n: number, out: Float64Array): void {
-    if (this.scratch.length < 18 * n) this.scratch = new Float64Array(18 * n);
+    const length = 3 * this.functions.size * n;
+    if (this.scratch.length < length) this.scratch = new Float64Array(length);
     this.functions.derivatives(u, n, this.scratch);
     for (let p = 0; p < n; p++) {
       const { plane, slope } = this.dual(u[p]!, n, p);
@@ -71,7 +80,7 @@ export class Envelope implements Rows {
   /** Whether some ruling exists and meets both bounding planes in a point. */
   meets(): boolean {
     const n = 33, u = Float64Array.from({ length: n }, (_, i) => i / (n - 1));
-    this.scratch = new Float64Array(18 * n);
+    this.scratch = new Float64Array(3 * this.functions.size * n);
     this.functions.derivatives(u, n, this.scratch);
     const volumes = this.bounds.map(() => 0), longest = [0, 0];
     for (let p = 0; p < n; p++) {
@@ -88,10 +97,10 @@ export class Envelope implements Rows {
   /** The series of Π and of Π' at point p, the latter without the factors that vanish where Π stands still. */
   private dual(t: number, n: number, p: number): { plane: number[][]; slope: number[][] } {
     this.functions.slopes(t, this.start, this.end, this.hodograph);
-    const orders = [0, 1, 2], parts = [0, 1, 2, 3];
+    const orders = [0, 1, 2], parts = [0, 1, 2, 3], { size } = this.functions;
     const plane = orders.map((k) => parts.map((x) => {
       let sum = 0;
-      for (let i = 0; i < 6; i++) sum += this.scratch[6 * (k * n + p) + i]! * this.planes[i]![x]!;
+      for (let i = 0; i < size; i++) sum += this.scratch[size * (k * n + p) + i]! * this.planes[i]![x]!;
       return k === 2 ? sum / 2 : sum;
     }));
     const slope = orders.map((k) => parts.map((x) => this.hodograph.reduce((sum, g, i) => sum + g[k]! * this.edges[i]![x]!, 0)));

@@ -3,6 +3,7 @@
 import { Bernstein, MOVING, Trigonometric, type Still } from "./basis";
 import { BSpline } from "./bspline";
 import { Chebyshev } from "./chebyshev";
+import { Basis, Formulas, parameterOf } from "./formulas";
 import { Circular, Hyperbolic, Joined, Powers, type Functions } from "./functions";
 
 /** A family's name and its own parameters; `still` tells at which ends a surface on it stands. */
@@ -23,6 +24,7 @@ export const FAMILIES: Readonly<Record<string, Family>> = {
   hyperbolic: (get) => new Hyperbolic(get("start"), get("end")),
   powers: (get) => new Powers(get("start"), get("end"), get("degree")),
   joined: (get) => new Joined(get<FamilyKeys[]>("parts").map(functionsOf)),
+  formulas: (get) => new Formulas(new Basis("", get("functions"), get<string[]>("names").map((name) => parameterOf(name, -1, 1)), true), get("values")),
   chebyshev: (get) => new Chebyshev(get("breaks"), get("series")),
 };
 

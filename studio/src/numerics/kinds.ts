@@ -1,7 +1,6 @@
 /** Tables of kinds: those of quintrig from its bundle, and those of installed packages that a page is told of. */
 
 import data from "../data.json";
-import { BASES } from "./basis";
 
 export interface Field {
   readonly type: "points" | "shape" | "plane" | "number" | "positive" | "boolean" | "choice" | "basis" | "raw";
@@ -16,6 +15,8 @@ export interface Field {
 export interface Kind {
   readonly title: string;
   readonly construction: boolean;
+  /** Whether it is a surface: else a curve. */
+  readonly surface: boolean;
   readonly shapeNames: readonly string[];
   readonly fields: Readonly<Record<string, Field>>;
 }
@@ -36,6 +37,9 @@ export interface Installed {
   readonly starters?: Readonly<Record<string, unknown>>;
 }
 
+/** The range of the shape parameters of the quintic basis. */
+export const SHAPE_RANGE = data.shapeRange as [number, number];
+
 const tables: Record<string, Kind> = { ...(data.kinds as unknown as Record<string, Kind>) };
 const starters: Record<string, unknown> = { ...data.starters };
 export const KINDS: Readonly<Record<string, Kind>> = tables;
@@ -45,14 +49,6 @@ export const STARTERS: Readonly<Record<string, unknown>> = starters;
 export function install(brought: Installed): void {
   for (const [name, kind] of Object.entries(brought.kinds ?? {})) tables[name] ??= kind;
   for (const [name, starter] of Object.entries(brought.starters ?? {})) starters[name] ??= starter;
-}
-
-/** Whether the page knows a basis, of which it is told the name, two names, or nothing for a kind that has none. */
-export const knownBasis = (basis: unknown): boolean => basis === undefined || (typeof basis === "string" && Object.hasOwn(BASES, basis));
-
-/** Shape parameters of a patch; empty for kinds that have none, and for bases that only Python knows. */
-export function shapeOf(patch: Patch): readonly number[] {
-  return !knownBasis(valueOf(patch, "basis")) ? [] : ((valueOf(patch, "shape") ?? []) as number[]);
 }
 
 /** The value of a key, or its default. */

@@ -3,16 +3,18 @@
 import data from "../data.json";
 import { buildHere, drawnHere } from "./builders";
 import { learn, Pending, surfaceOf, type Built } from "./built";
-import { KINDS, knownBasis, ModelError, type Patch } from "./kinds";
+import { curveOf, isCurve } from "./curve";
+import { KINDS, ModelError, SHAPE_RANGE, type Patch } from "./kinds";
+import { learnBases, ownBases, type Tables, type ToldBasis } from "./library";
 import type { Surface } from "./surface";
 
-export { install, KINDS, knownBasis, ModelError, shapeOf, STARTERS, valueOf, type Field, type Kind, type Patch } from "./kinds";
+export { shapeOf, shapeParameters } from "./chosen";
+export { install, KINDS, ModelError, STARTERS, valueOf, type Field, type Kind, type Patch } from "./kinds";
 
 export const UNITS: readonly string[] = data.units;
-export const SHAPE_RANGE = data.shapeRange as [number, number];
 const { largest: LARGEST, largestPolygon: LARGEST_POLYGON } = data.limits;
 
-/** A model: name, unit of length (empty: plain numbers) and patches. Values, never changed. */
+/** A model: name, unit of length (empty: plain numbers) and patches, or curves. Values, never changed. */
 export interface Model {
   readonly name: string;
   readonly unit: string;
@@ -24,8 +26,9 @@ export interface Model {
 /** Read the keys of a model file; ModelError in one line. */
 export function fromDict(source: unknown): Model {
   if (!isTable(source)) throw new ModelError(`model: expected keys and values, got ${spell(source)}`);
-  const { schema = data.schema, name = "", unit = "", patch, join, built, ...rest } = source;
-  if (built) learn(built as Built[]); // what Python built of it comes with a model
+  const { schema = data.schema, name = "", unit = "", patch, join, built, library, ...rest } = source;
+  if (built) learn(built as Built[]); // what Python built of it comes with a model,
+  if (library) learnBases(library as ToldBasis[]); // and the bases that the page does not hold
   if (schema !== data.schema) throw new ModelError(`schema: expected ${data.schema}, got ${spell(schema)}; this quintrig reads version 1`);
   if (unit !== "" && !UNITS.includes(unit as string)) {
     throw new ModelError(`unit: expected one of ${UNITS.join(", ")}, got ${spell(unit)}; leave it out for plain numbers`);
@@ -36,12 +39,17 @@ export function fromDict(source: unknown): Model {
     return { name: name || only.name, unit: unit as string, patches: [only] };
   }
   if (!Array.isArray(patch) || !patch.length) throw new ModelError(`patch: expected one or more [[patch]] tables, got ${spell(patch)}`);
-  const extra = Object.keys(rest)[0];
+  const { bases, ...others } = rest, extra = Object.keys(others)[0];
   if (extra) throw new ModelError(`unknown key '${extra}' beside [[patch]] tables; move it into a patch`);
+  if (bases !== undefined) told(() => ownBases(bases));
   const patches = patch.map((table: unknown, index) => {
     if (!isTable(table)) throw new ModelError(`patch ${index + 1}: expected a table of keys, got ${spell(table)}`);
-    return checked({ ...table, name: table["name"] ?? `patch ${index + 1}` });
+    const shared = bases !== undefined && KINDS[String(table["kind"])]?.fields["bases"] ? { bases } : {};
+    return checked({ ...shared, ...table, name: table["name"] ?? `patch ${index + 1}` });
   });
+  const curves = patches.filter(isCurve), surface = patches.find((one) => !isCurve(one));
+  if (curves.length && surface) throw new ModelError(`patch "${surface.name}": expected a curve, as the others are; keep surfaces in a model of their own`);
+  if (new Set(curves.map((one) => curveOf(one).flat)).size > 1) throw new ModelError("points: expected curves all in the plane or all in space, found both in one model");
   if (join !== undefined && !Array.isArray(join)) throw new ModelError(`join: expected one or more [[join]] tables, got ${spell(join)}`);
   return { name: name || patches[0]!.name, unit: unit as string, patches, ...(join ? { join } : {}) };
 }
@@ -54,7 +62,11 @@ export function toDict(model: Model): Record<string, unknown> {
     const { name: _, ...keys } = model.patches[0]!;
     return { ...header, ...keys };
   }
-  return { ...header, patch: model.patches, ...(model.join ? { join: model.join } : {}) };
+  // Bases that all patches share stand once, beside them.
+  const shared = [...new Set(model.patches.filter((one) => one["bases"]).map((one) => JSON.stringify(one["bases"])))];
+  const bases = shared.length === 1 ? { bases: JSON.parse(shared[0]!) as Tables } : {};
+  const patches = shared.length === 1 ? model.patches.map(({ bases: _, ...keys }) => keys) : model.patches;
+  return { ...header, ...bases, patch: patches, ...(model.join ? { join: model.join } : {}) };
 }
 
 /** The surface of a patch, built here or by Python; ModelError where its values do not go together. */
@@ -75,8 +87,10 @@ function checked(keys: Record<string, unknown>): Patch {
     throw new ModelError(`${place}: ${message}`);
   };
   for (const key of Object.keys(keys)) if (key !== "kind" && key !== "name" && !Object.hasOwn(kind.fields, key)) fail(`unknown key '${key}'`);
-  // With a basis that only Python knows, counts and shape parameters are its own: Python checks them.
-  const here = knownBasis(keys["basis"]), anyCount = keys["basis"] === "bernstein" || !here;
+  if (kind.fields["bases"]) told(() => ownBases(keys["bases"]), `${place}: `);
+  // Counts and shape parameters hang on the basis, where there is one: they are checked with what is built on it.
+  const based = kind.fields["basis"] !== undefined;
+  const standard = kind.surface && (!based || ["trigonometric", "quintic", undefined].includes(keys["basis"] as string | undefined));
   for (const [key, field] of Object.entries(kind.fields)) {
     const value = keys[key];
     if (value === undefined) {
@@ -88,16 +102,27 @@ function checked(keys: Record<string, unknown>): Patch {
     else if (field.type === "choice" && !field.choices!.includes(value as string)) fail(`${key}: expected one of ${field.choices!.join(", ")}, got ${spell(value)}`);
     else if (field.type === "plane") numbers(value, key, 4, fail);
     else if (field.type === "basis" && !isBasis(value)) fail(`${key}: expected the name of a basis, or two, got ${spell(value)}`);
-    else if (field.type === "shape" && here) shape(value, key, kind.shapeNames, keys["unchecked_shape"] === true, fail);
-    else if (field.type === "points") points(value, key, anyCount ? field.counts!.map(() => 0) : field.counts!, field.dimension!, fail);
+    else if (field.type === "shape" && based) numbers(value, key, null, fail);
+    else if (field.type === "shape") shape(value, key, kind.shapeNames, keys["unchecked_shape"] === true, fail);
+    else if (field.type === "points") points(value, key, standard ? field.counts! : field.counts!.map(() => 0), field.dimension!, fail);
   }
   const patch = keys as unknown as Patch;
   try {
-    build(patch);
+    if (isCurve(patch)) curveOf(patch);
+    else build(patch);
   } catch (error) {
     if (!(error instanceof Pending)) throw error;
   }
   return patch;
+}
+
+/** Turn what is said to be wrong into what is said of a model. */
+function told(act: () => unknown, place = ""): void {
+  try {
+    act();
+  } catch (error) {
+    throw new ModelError(`${place}${(error as Error).message}`);
+  }
 }
 
 type Fail = (message: string) => never;
@@ -124,9 +149,11 @@ function points(value: unknown, key: string, counts: readonly number[], dimensio
   if (rows && value.some((row: unknown[]) => row.length !== (value[0] as unknown[]).length)) fail(`${key}: expected rows of equal length`);
 }
 
-function numbers(value: unknown, key: string, count: number, fail: Fail): number[] {
+/** Check a list of so many numbers; 0 stands for the 2 or 3 of a point in the plane or in space, null for any number. */
+function numbers(value: unknown, key: string, count: number | null, fail: Fail): number[] {
   if (!Array.isArray(value)) return fail(`${key}: expected a list, got ${spell(value)}`);
-  if (value.length !== count) fail(`${key}: expected ${count} numbers, got ${value.length}`);
+  const good = count === null || (count === 0 ? value.length === 2 || value.length === 3 : value.length === count);
+  if (!good) fail(`${key}: expected ${count === 0 ? "2 or 3" : count} numbers, got ${value.length}`);
   value.forEach((x, i) => number(x, `${key}[${i}]`, fail, false));
   return value as number[];
 }

@@ -24,6 +24,8 @@ export interface SliderOptions {
   readonly step: number;
   readonly marks?: readonly number[];
   readonly hard?: boolean;
+  /** What may be typed where that is not just from `min` to `max`, and how that is said. */
+  readonly allowed?: { holds(value: number): boolean; readonly words: string };
   onInput(value: number): void;
   onSettle?(): void;
 }
@@ -62,7 +64,7 @@ export function slider(options: SliderOptions): Slider {
   const id = fresh("slider");
   const share = (value: number) => `${(100 * (Math.min(max, Math.max(min, value)) - min)) / (max - min)}%`;
   const range = h("input", { type: "range", id, min, max, step, "aria-label": options.name });
-  const field = h("input", { type: "number", class: "number", step, "aria-label": `${options.name}, number`, ...(options.hard ? { min, max } : {}) });
+  const field = h("input", { type: "number", class: "number", step, "aria-label": `${options.name}, number`, ...(options.hard && !options.allowed ? { min, max } : {}) });
   const fill = h("div", { class: "track" });
   let shown = NaN;
   const restore = () => void (field.value = Number.isNaN(shown) ? "" : String(Number(shown.toPrecision(8))));
@@ -74,8 +76,9 @@ export function slider(options: SliderOptions): Slider {
   range.addEventListener("change", () => options.onSettle?.());
   field.addEventListener("change", () => {
     const value = typed(field);
-    const good = Number.isFinite(value) && (!options.hard || (value >= min && value <= max));
-    refuse(field, good, options.hard ? `a number from ${min} to ${max}` : "a number");
+    const inside = options.allowed?.holds(value) ?? (value >= min && value <= max);
+    const good = Number.isFinite(value) && (!options.hard || inside);
+    refuse(field, good, options.hard ? (options.allowed?.words ?? `a number from ${min} to ${max}`) : "a number");
     if (!good || value === shown) return restore();
     shown = value;
     restore();

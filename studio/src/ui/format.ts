@@ -28,7 +28,23 @@ export const percent = (share: number): string => (share > 0 && share < 0.001 ? 
 
 export const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 
-const GREEK: Readonly<Record<string, string>> = { kappa: "κ", beta: "β", gamma: "γ", alpha: "α", zeta: "ζ", lambda: "λ" };
+const GREEK: Readonly<Record<string, string>> = {
+  alpha: "α", beta: "β", gamma: "γ", delta: "δ", zeta: "ζ", theta: "θ", kappa: "κ", lam: "λ", lambda: "λ", mu: "μ", nu: "ν", rho: "ρ", sigma: "σ",
+  tau: "τ", phi: "φ", omega: "ω",
+};
+
+/** The letters and the number of a shape parameter, such as lam and 1,2 for lam1_2. */
+export function parameterParts(label: string): readonly [string, string] {
+  const letters = label.replace(/[\d_]+$/, "");
+  return [letters, label.slice(letters.length).replaceAll("_", ",")];
+}
+
+/** A shape parameter as it is read: its letter, with its number below. */
+export function parameterSymbol(label: string): HTMLElement {
+  const [letters, number] = parameterParts(label), box = element("span", "", "math");
+  box.append(element("i", GREEK[letters] ?? letters), ...(number ? [element("sub", number)] : []));
+  return box;
+}
 
 /** A symbol as elements with real sub- and superscripts, from the table's LaTeX. */
 export function symbol(latex: string): HTMLElement {

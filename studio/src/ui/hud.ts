@@ -3,6 +3,8 @@
 import { mainCell } from "../app/cells";
 import { activePatch, type State, type Store } from "../app/state";
 import { handlesOf } from "../edit/handles";
+import { curveOf, isCurve } from "../numerics/curve";
+import type { Patch } from "../numerics/kinds";
 import { QUANTITY, wordsOf } from "../numerics/quantity";
 import type { ViewName } from "../view/camera";
 import { toScene, type Frame } from "../view/frame";
@@ -17,6 +19,17 @@ import { probe, told as shown } from "./probe";
 
 const SVG = "http://www.w3.org/2000/svg";
 const AXES = ["x", "y", "z"] as const;
+
+/** What is told of a point of a curve under the pointer. */
+function curveRows(patch: Patch, t: number, unit: string): HTMLElement[] {
+  const { flat } = curveOf(patch), at = curveOf(patch).at(t), per = unit ? `1/${unit}` : "";
+  const row = (label: string, value: string, of: string) => h("tr", {}, h("th", {}, h("i", { class: "math" }, label)), h("td", {}, value, of ? h("span", { class: "unit" }, of) : null));
+  return [
+    h("div", { class: "tip-title" }, `t = ${short(t)}`),
+    h("div", { class: "tip-point" }, `(${at.point.slice(0, flat ? 2 : 3).map((x) => short(x)).join(", ")})${unit ? ` ${unit}` : ""}`),
+    h("table", {}, row("κ", short(at.curvature), per), row("1/κ", short(1 / at.curvature), unit), flat ? null : row("τ", short(at.torsion), per)),
+  ];
+}
 
 export class Hud {
   readonly element = h("div", { class: "hud" });
@@ -78,7 +91,8 @@ export class Hud {
     const main = mainCell(state, this.stage.cells.length);
     this.drawGizmo(state, frame, main);
     state.pins.forEach((pin, i) => {
-      if (pin.patch < state.model.patches.length) put(main, Array.from(probe(state.model, pin)["point"]!), h("span", { class: "pin" }, h("b", {}, i + 1)));
+      const patch = state.model.patches[pin.patch];
+      if (patch) put(main, isCurve(patch) ? curveOf(patch).at(pin.u).point : Array.from(probe(state.model, pin)["point"]!), h("span", { class: "pin" }, h("b", {}, i + 1)));
     });
     const unit = state.model.unit ? ` ${state.model.unit}` : "";
     for (const { cell, at } of sharp) put(cell, at.point, h("span", { class: "sharpest" }, h("b", {}, "r", h("sub", {}, "min"), ` = ${short(at.radius)}${unit}`)));
@@ -103,18 +117,25 @@ export class Hud {
     if (!hover || hover.patch >= state.model.patches.length) return void (this.tip.hidden = true);
     const piece = this.stage.cells[hover.cell]?.pieces[hover.patch];
     if (!piece?.patch) return void (this.tip.hidden = true);
+    if (isCurve(piece.patch)) return this.tell(hover, curveRows(piece.patch, hover.u, state.model.unit));
     const sample = probe({ ...state.model, patches: [piece.patch] }, { ...hover, patch: 0 });
     const keys = [...new Set([state.settings.quantity === "none" ? "gaussian" : state.settings.quantity, "gaussian", "mean", "hk_type", "shape_class"])];
     const row = (label: Node | string, value: string, unit = "") => h("tr", {}, h("th", {}, label), h("td", {}, value, unit ? h("span", { class: "unit" }, unit) : null));
     const point = sample["point"]!;
-    this.tip.replaceChildren(
+    this.tell(hover, [
       h("div", { class: "tip-title" }, `u = ${short(hover.u)}, v = ${short(hover.v)}`),
       h("div", { class: "tip-point" }, `(${Array.from(point, (x) => short(x)).join(", ")})${state.model.unit ? ` ${state.model.unit}` : ""}`),
       h("table", {}, ...keys.map((key) => {
         const q = QUANTITY[key]!;
         return row(q.colour === "classes" ? q.name : symbol(q.latex), valueText(q, shown(sample, q)), unitText(q, state.model.unit));
       })),
-      h("div", { class: "tip-words" }, wordsOf("hk_type", sample["hk_type"]![0]!)));
+      h("div", { class: "tip-words" }, wordsOf("hk_type", sample["hk_type"]![0]!)),
+    ]);
+  }
+
+  /** Show a tip beside the pointer. */
+  private tell(hover: { readonly x: number; readonly y: number }, rows: readonly HTMLElement[]): void {
+    this.tip.replaceChildren(...rows);
     this.tip.hidden = false;
     const bound = this.element.getBoundingClientRect(), size = this.tip.getBoundingClientRect();
     const x = hover.x + 18 + size.width > bound.width ? hover.x - 18 - size.width : hover.x + 18;

@@ -3,18 +3,16 @@
 import type { Box } from "../app/cells";
 import type { Settings } from "../app/settings";
 import { activePatch, shapeSets, type State, type Store } from "../app/state";
-import { KINDS, knownBasis, SHAPE_RANGE, shapeOf, valueOf, type Patch } from "../numerics/model";
+import { choicesOf, isClassical, isStandard, type Shaped } from "../numerics/chosen";
+import { isCurve } from "../numerics/curve";
+import { holds, rangeOf } from "../numerics/formulas";
+import { KINDS, shapeOf, shapeParameters, valueOf, type Patch } from "../numerics/model";
 import { QUANTITIES, type Quantity } from "../numerics/quantity";
 import { lineColour } from "../view/overlays";
 import { ALONG, sectionNormal } from "../view/section";
 import { button, choice, numberField, section, segmented, slider, toggle, type Control, type Slider } from "./controls";
 import { h } from "./dom";
-import { capital, short, symbol } from "./format";
-
-const LATEX = {
-  4: [["\\alpha_1", "alpha 1"], ["\\zeta_1", "zeta 1"], ["\\alpha_2", "alpha 2"], ["\\zeta_2", "zeta 2"]],
-  2: [["\\alpha", "alpha"], ["\\zeta", "zeta"]],
-} as const;
+import { capital, parameterParts, parameterSymbol, short, symbol } from "./format";
 
 type Binding = (settings: Settings, dark: boolean) => void;
 
@@ -23,18 +21,17 @@ export class Inspector {
   private readonly shape = h("div", { class: "shape" });
   private readonly fixed = h("p", { class: "hint", hidden: true }, "Four sets are shown side by side; choose “One” to set the shape.");
   private readonly bindings: Binding[] = [];
+  /** Sections that say nothing of a curve. */
+  private readonly surfaces: readonly HTMLElement[];
   private controls: Control<number>[] = [];
+  private curves = false;
   private shapeFor = "";
   private fields: { readonly key: string; readonly control: Control<number> }[] = [];
 
   constructor(private readonly store: Store) {
-    this.element.append(
-      section("Shape", true, this.shape),
-      section("Colour", true, ...this.colour()),
-      section("Show", true, ...this.overlays()),
-      section("Light lines", true, ...this.stripes()),
-      section("Section", false, ...this.cut()),
-    );
+    this.surfaces = [section("Colour", true, ...this.colour()), section("Light lines", true, ...this.stripes()), section("Section", false, ...this.cut())];
+    const [colour, light, cut] = this.surfaces as [HTMLElement, HTMLElement, HTMLElement];
+    this.element.append(section("Shape", true, this.shape), colour, section("Show", true, ...this.overlays()), light, cut);
     store.subscribe((now, before) => {
       if (now.model !== before.model || now.patch !== before.patch) this.showShape(now);
     });
@@ -42,23 +39,25 @@ export class Inspector {
 
   /** Show the settings; `dark` is the theme in force. */
   refresh(state: State, dark: boolean): void {
+    this.curves = isCurve(activePatch(state));
+    for (const one of this.surfaces) one.hidden = this.curves;
     for (const bind of this.bindings) bind(state.settings, dark);
     this.showShape(state);
   }
 
   private showShape(state: State): void {
-    const patch = activePatch(state), values = shapeOf(patch);
+    const patch = activePatch(state), parameters = shapeParameters(patch), values = parameters.length ? shapeOf(patch) : [];
     const free = patch["unchecked_shape"] === true;
     const dimensions = Object.entries(KINDS[patch.kind]!.fields).filter(([, f]) => f.type === "number" || f.type === "positive").map(([key]) => key);
-    const form = `${patch.kind} ${values.length} ${free}`;
+    const form = JSON.stringify([patch.kind, patch["basis"], parameters, free]);
     if (form !== this.shapeFor) {
       this.shapeFor = form;
-      this.build(patch, values.length as 0 | 2 | 4, dimensions, free);
+      this.build(patch, parameters, dimensions, free);
     }
     values.forEach((value, i) => this.controls[i]?.update(value));
     for (const { key, control } of this.fields) control.update(valueOf(patch, key) as number);
     // Four fixed sets are shown: there is no cell that another shape would be seen in.
-    const fixed = state.compare === "sets" && shapeSets(values.length).length > 0;
+    const fixed = state.compare === "sets" && shapeSets(patch).length > 0;
     this.fixed.hidden = !fixed;
     for (const { element } of this.controls) for (const input of element.querySelectorAll("input")) input.disabled = fixed;
     for (const chip of this.shape.querySelectorAll<HTMLButtonElement>(".chip")) chip.disabled = fixed;
@@ -66,20 +65,26 @@ export class Inspector {
     for (const chip of this.shape.querySelectorAll<HTMLElement>(".chip")) chip.setAttribute("aria-pressed", String(chip.dataset["shape"] === now));
   }
 
-  private build(patch: Patch, count: 0 | 2 | 4, dimensions: readonly string[], free: boolean): void {
+  private build(patch: Patch, parameters: readonly Shaped[], dimensions: readonly string[], free: boolean): void {
     const { store } = this;
     const change = (i: number, value: number) => {
       const now = activePatch(store.state);
       store.editPatch({ ...now, shape: shapeOf(now).map((x, k) => (k === i ? value : x)) }, `shape ${i}`);
     };
-    this.controls = count === 0 ? [] : LATEX[count].map(([latex, name], i) => slider({
-      label: symbol(latex), name, min: SHAPE_RANGE[0], max: SHAPE_RANGE[1], step: 0.01, marks: [-4, -3, -2, -1, 0, 1], hard: !free,
-      onInput: (value) => change(i, value), onSettle: () => store.settle(),
-    }));
-    const along = count === 4 ? (patch.kind === "ruled" ? ["first curve", "second curve"] : ["along u", "along v"]) : [""];
+    this.controls = parameters.map((one, i) => {
+      const { low, high, open, label } = one, step = 10 ** Math.floor(Math.log10((high - low) / 200));
+      return slider({
+        label: parameterSymbol(label), name: parameterParts(label).filter(Boolean).join(" "), step, marks: marksOf(low, high), hard: !free,
+        min: low + step * Number(open[0]), max: open[1] ? low + step * Math.ceil((high - low) / step - 1 - 1e-9) : high,
+        allowed: { holds: (value) => holds(one, value), words: `a number in ${rangeOf(one)}` },
+        onInput: (value) => change(i, value), onSettle: () => store.settle(),
+      });
+    });
+    const along = alongOf(patch), several = new Set(parameters.map((one) => one.of)).size > 1 || !isStandard(patch);
     const rows: (HTMLElement | string)[] = [];
     this.controls.forEach((control, i) => {
-      if (i % 2 === 0 && along[i / 2]) rows.push(h("div", { class: "subtitle" }, along[i / 2]!));
+      const { of } = parameters[i]!;
+      if (several && along[of] && of !== parameters[i - 1]?.of) rows.push(h("div", { class: "subtitle" }, along[of]!));
       rows.push(control.element);
     });
     this.fields = dimensions.map((key) => {
@@ -95,15 +100,16 @@ export class Inspector {
       return { key, control: numberField({ label: capital(key), name: capital(key), positive, step: 0.1, onChange: (value) => act(value, null) }) };
     });
     if (this.fields.length) rows.push(h("div", { class: "subtitle" }, patch.kind === "swung" ? "scale of the trajectory" : "dimensions"), ...this.fields.map((f) => f.control.element));
-    const sets = shapeSets(count);
+    const sets = shapeSets(patch);
     if (sets.length) {
-      rows.push(h("div", { class: "subtitle" }, "sets of the thesis"), h("div", { class: "chips" }, ...[...sets, Array.from({ length: count }, () => 0)].map((set) => {
+      rows.push(h("div", { class: "subtitle" }, "sets of the thesis"), h("div", { class: "chips" }, ...[...sets, sets[0]!.map(() => 0)].map((set) => {
         const chip = button(`(${set.join(", ").replaceAll("-", "−")})`, `Set the shape parameters to ${set.join(", ")}`, () => store.editPatch({ ...activePatch(store.state), shape: set }), "chip");
         chip.dataset["shape"] = JSON.stringify(set);
         return chip;
       })));
     }
-    if (!rows.length) rows.push(h("p", { class: "hint" }, knownBasis(valueOf(patch, "basis")) ? "This surface has no shape parameters: drag its control points." : "The shape parameters of this basis are changed in the model file."));
+    const what = isCurve(patch) ? "curve" : "surface";
+    if (!rows.length) rows.push(h("p", { class: "hint" }, isClassical(patch) ? "On the Bernstein basis no shape parameters act: drag the control points." : `This ${what} has no shape parameters: drag its control points.`));
     this.shape.replaceChildren(this.fixed, ...rows);
   }
 
@@ -155,9 +161,12 @@ export class Inspector {
       this.bindings.push((_, dark) => names.forEach((name, i) => ((box.children[i] as HTMLElement).style.background = lineColour(name, dark))));
       return box;
     };
-    const flag = (key: "net" | "curves" | "directions" | "normals" | "zeroK" | "zeroH" | "minRadius" | "wireframe", label: Node | string, swatch?: HTMLElement, hint = "") => {
+    const flag = (key: "comb" | "net" | "curves" | "directions" | "normals" | "zeroK" | "zeroH" | "minRadius" | "wireframe", label: Node | string, swatch?: HTMLElement, hint = "") => {
       const control = toggle(label, (on) => store.setting({ [key]: on }), swatch, hint);
-      this.bindings.push((s) => control.update(s[key]));
+      this.bindings.push((s) => {
+        control.update(s[key]);
+        control.element.hidden = this.curves ? key !== "net" && key !== "comb" : key === "comb";
+      });
       return control.element;
     };
     const math = (latex: string, ...rest: string[]) => h("span", {}, symbol(latex), ...rest);
@@ -168,11 +177,15 @@ export class Inspector {
     this.bindings.push((s) => {
       combs.update(s.combs);
       scale.update(s.combScale);
-      scale.element.hidden = s.combs === "off";
+      combs.element.parentElement!.hidden = this.curves;
+      scale.element.hidden = this.curves ? !s.comb : s.combs === "off";
     });
+    const net = h("span", {});
+    this.bindings.push(() => (net.textContent = this.curves ? "Polygon" : "Control net"));
     return [
       h("div", { class: "switches" },
-        flag("net", "Control net", rule("net")),
+        flag("net", net, rule("net")),
+        flag("comb", "Comb", rule("combU"), "Curvature comb: teeth as long as the curvature, on the outer side of the bend"),
         flag("curves", "Iso-curves"),
         flag("directions", "Directions", rule("first", "second"), "Principal directions. Strong: of κ1; light: of κ2"),
         flag("normals", "Normals", rule("normals")),
@@ -270,4 +283,23 @@ export class Inspector {
       .map(([n, name], i) => `${n < 0 ? "− " : i ? "+ " : ""}${Math.abs(n) === 1 ? "" : `${Math.abs(n)} `}${name}`).join(" ");
     return `${sum} = ${short(at)}${unit ? ` ${unit}` : ""}`;
   }
+}
+
+/** What each basis of a patch is for, with its name where it is not the quintic one. */
+function alongOf(patch: Patch): readonly string[] {
+  try {
+    const choices = choicesOf(patch), curve = patch.kind === "ruled" ? ["first curve", "second curve"] : choices.length > 1 ? ["along u", "along v"] : [""];
+    return choices.map(({ entry }, i) => [curve[i], isStandard(patch) ? "" : entry.title].filter(Boolean).join(": "));
+  } catch {
+    return [];
+  }
+}
+
+/** The values to mark on a slider: a few whole numbers, or its ends where it holds hardly any. */
+function marksOf(low: number, high: number): number[] {
+  for (const step of [1, 2, 5, 10, 20, 50, 100]) {
+    const first = Math.ceil(low / step), count = Math.floor(high / step) - first + 1;
+    if (count >= 2 && count <= 6) return Array.from({ length: count }, (_, i) => (first + i) * step);
+  }
+  return [low, high].map((x) => Number(x.toPrecision(3)));
 }

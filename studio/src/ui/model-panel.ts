@@ -2,12 +2,15 @@
 
 import { activePatch, starterOf, type State, type Store } from "../app/state";
 import { converted } from "../edit/convert";
-import { handles, moved, replaced, type Handle } from "../edit/handles";
-import { build, KINDS, knownBasis, UNITS, valueOf, type Kind, type Patch } from "../numerics/model";
+import { handlesOf, moved, replaced, type Handle } from "../edit/handles";
+import { curveOf, isCurve } from "../numerics/curve";
+import { KINDS, UNITS, valueOf, type Kind, type Patch } from "../numerics/model";
+import { BasisChoice } from "./basis-choice";
 import { choice, numberField, section, segmented, toggle, type Control } from "./controls";
 import { ask } from "./dialogs";
 import { h } from "./dom";
 import { capital } from "./format";
+import { ModelText } from "./model-text";
 
 export class ModelPanel {
   readonly element = h("aside", { class: "panel left", "aria-label": "Model" });
@@ -15,7 +18,9 @@ export class ModelPanel {
   private readonly kind: Control<string>;
   private readonly unit: Control<string>;
   private readonly flip: Control<boolean>;
-  private readonly basis: Control<string>;
+  private readonly basis: BasisChoice;
+  private readonly text: ModelText;
+  private readonly close: Control<boolean>;
   private readonly about = h("p", { class: "hint" });
   private readonly points = h("div", { class: "points" });
   private readonly locks: Control<boolean>[];
@@ -30,17 +35,17 @@ export class ModelPanel {
 
   constructor(private readonly store: Store) {
     const groups = [
-      { label: "Constructions", options: kinds((kind) => kind.construction) },
+      { label: "Constructions", options: kinds((kind) => kind.construction && kind.surface) },
+      { label: "Curves", options: kinds((kind) => !kind.surface) },
       { label: "Closed forms", options: kinds((kind) => !kind.construction && !kind.fields["points"]) },
       { label: "From CAD", options: kinds((kind) => !kind.construction && !!kind.fields["points"]) },
     ];
     this.kind = choice("Construction", groups, (kind) => void this.become(kind));
     this.unit = choice("Unit of length", [{ label: "", options: [{ value: "", label: "no unit" }, ...UNITS.map((u) => ({ value: u, label: u }))] }], (unit) => store.edit({ ...store.state.model, unit }));
     this.flip = toggle("Turn the normal", (flip) => store.editPatch({ ...activePatch(store.state), flip }), undefined, "The signs of H, κ1, κ2 and S follow the normal");
-    this.basis = segmented("Basis", [
-      { value: "trigonometric", label: "Trigonometric", title: "Quintic trigonometric Bézier basis" },
-      { value: "bernstein", label: "Bernstein", title: "The classical basis on the same points, to compare with" },
-    ], (basis) => store.editPatch({ ...activePatch(store.state), basis }));
+    this.close = toggle("End in the first point", (close) => this.closed(close), undefined, "A closed curve: the first control point counts once more, as the last");
+    this.basis = new BasisChoice(store);
+    this.text = new ModelText(store);
     this.locks = ["x", "y", "z"].map((axis, i) => toggle(axis, (on) => {
       const locks = [...store.state.settings.locks] as [boolean, boolean, boolean];
       locks[i] = on;
@@ -54,12 +59,12 @@ export class ModelPanel {
         h("label", { class: "row" }, h("span", { class: "caption" }, "Construction"), this.kind.element),
         this.about,
         h("label", { class: "row" }, h("span", { class: "caption" }, "Unit"), this.unit.element),
-        h("div", { class: "row basis" }, h("span", { class: "caption" }, "Basis"), this.basis.element),
-        this.flip.element),
+        this.basis.element, this.flip.element, this.close.element),
       section("Control points", true, this.points,
         h("div", { class: "drag-tools" },
           h("div", { class: "locks", role: "group", "aria-label": "Axes kept while dragging" }, h("span", { class: "caption" }, "Keep"), ...this.locks.map((l) => l.element)),
           h("div", { class: "snap" }, this.snap.element, this.step.element))),
+      this.text.element,
     );
     store.subscribe((now, before) => {
       if (now.model !== before.model || now.patch !== before.patch || now.selected !== before.selected || now.settings !== before.settings) this.refresh(now);
@@ -71,8 +76,11 @@ export class ModelPanel {
     this.kind.update(patch.kind);
     this.unit.update(state.model.unit);
     this.flip.update(valueOf(patch, "flip") === true);
-    this.basis.update(String(valueOf(patch, "basis") ?? ""));
-    this.basis.element.parentElement!.hidden = !kind.fields["basis"] || !knownBasis(valueOf(patch, "basis"));
+    this.flip.element.hidden = !kind.surface; // turning a curve about is of no use in a picture
+    this.close.element.hidden = !kind.fields["close"];
+    this.close.update(valueOf(patch, "close") === true);
+    this.basis.refresh(patch);
+    this.text.refresh(state);
     this.about.textContent = capital(kind.title);
     state.settings.locks.forEach((on, i) => this.locks[i]!.update(on));
     this.snap.update(state.settings.snap);
@@ -88,11 +96,7 @@ export class ModelPanel {
 
   private showPoints(state: State, patch: Patch): void {
     if (patch !== this.shownPatch) {
-      try {
-        this.list = handles(patch, build(patch)).filter((handle) => !handle.mirrored);
-      } catch {
-        this.list = [];
-      }
+      this.list = handlesOf(patch).filter((handle) => !handle.mirrored);
       this.shownPatch = patch;
     }
     const group = this.points.parentElement!.parentElement!;
@@ -139,7 +143,7 @@ export class ModelPanel {
     let stored: unknown = valueOf(patch, handle.key);
     for (const i of handle.index) stored = (stored as unknown[])[i];
     const values = stored as number[];
-    const names = handle.along ? ["a", "b", "c", "d"] : patch.kind === "swung" ? (handle.key === "profile" ? ["r", "z"] : ["x", "y"]) : ["x", "y", "z"];
+    const names = isCurve(patch) ? ["x", "y", "z"] : handle.along ? ["a", "b", "c", "d"] : patch.kind === "swung" ? (handle.key === "profile" ? ["r", "z"] : ["x", "y"]) : ["x", "y", "z"];
     return values.map((value, i) => {
       const field = numberField({
         label: h("i", { class: "math" }, names[i]!), name: `${handle.label} ${names[i]!}`,
@@ -160,9 +164,28 @@ export class ModelPanel {
     this.store.set({ selected: next.id });
   }
 
+  /** Let a curve end in its first point, or not; where its basis has no functions for so many points, that is told. */
+  private closed(close: boolean): void {
+    const { store } = this, patch = activePatch(store.state), points = valueOf(patch, "points") as number[][];
+    const [first, last] = [points[0]!, points.at(-1)!], meets = first.every((x, i) => x === last[i]);
+    // The number of points stays that of the basis: the last one goes, or comes back.
+    const next = { ...patch, close, points: close ? points.slice(0, -1) : meets ? points : [...points, first] };
+    try {
+      curveOf(next);
+      store.editPatch(next);
+    } catch (error) {
+      store.set({ message: { kind: "error", text: (error as Error).message } });
+      this.close.update(!close);
+    }
+  }
+
   /** Make the patch another construction: the same surface where that can hold it, else its starter, when that is wanted. */
   private async become(kind: string): Promise<void> {
-    const { store } = this, patch = activePatch(store.state), { patch: at, opened } = store.state;
+    const { store } = this, patch = activePatch(store.state), { patch: at, opened, model } = store.state;
+    if (model.patches.length > 1 && (kind === "curve") !== isCurve(patch)) {
+      store.set({ message: { kind: "error", text: "A model holds surfaces or curves, not both: keep this one in a model of its own" } });
+      return this.kind.update(patch.kind);
+    }
     let next = converted(patch, kind);
     if (!next) {
       const root = this.element.closest<HTMLElement>(".studio")!;
@@ -179,7 +202,7 @@ export class ModelPanel {
 /** Move the selected handle by a step in each coordinate. */
 export function nudge(store: Store, by: readonly number[]): void {
   const patch = activePatch(store.state);
-  const handle = handles(patch, build(patch)).find((one) => one.id === store.state.selected);
+  const handle = handlesOf(patch).find((one) => one.id === store.state.selected);
   if (handle) store.editPatch(moved(patch, handle, handle.position.map((x, i) => x + by[i]!)), `nudge ${handle.id}`);
 }
 

@@ -1,6 +1,7 @@
 /** The bar at the bottom, and the banner for what needs an answer. */
 
 import type { State, Store } from "../app/state";
+import type { Curve } from "../numerics/curve";
 import { normalSide, type Surface } from "../numerics/surface";
 import type { Sharpest } from "../view/radius";
 import { button } from "./controls";
@@ -15,6 +16,8 @@ interface Facts {
   readonly sharp: Sharpest | null;
   /** The active patch's; null where it cannot be built. */
   readonly surface: Surface | null;
+  /** The active patch where it is a curve. */
+  readonly curve: Curve | null;
   readonly warning: string;
 }
 
@@ -36,6 +39,12 @@ export class StatusBar {
 
   refresh(state: State, facts: Facts): void {
     const { unit } = state.model;
+    if (facts.curve) {
+      this.left.textContent = told(facts.curve, unit);
+      this.warning.textContent = facts.warning;
+      this.right.textContent = "";
+      return;
+    }
     this.left.replaceChildren(...(facts.surface ? ["Normal ", normalSide(facts.surface), " ", h("i", { class: "math" }, "S"), h("sub", {}, "u"), " × ", h("i", { class: "math" }, "S"), h("sub", {}, "v")] : ["No surface"]), unit ? ` · lengths in ${unit}` : " · no unit",
       facts.sharp ? ` · smallest radius ${short(facts.sharp.radius)}${unit ? ` ${unit}` : ""} at u = ${short(facts.sharp.u)}, v = ${short(facts.sharp.v)}` : "");
     const bare = facts.singular === facts.points && !facts.warning ? "No point has a tangent plane: this is a curve" : "";
@@ -75,4 +84,15 @@ export class StatusBar {
       button(icon(ICONS.close), "Close", () => this.store.set({ message: null }), "tiny")));
     if (message.kind === "note" && !message.lines && !message.actions) this.timer = window.setTimeout(() => this.store.set({ message: null }), 4000);
   }
+}
+
+const LOOKS = 401; // at a curve, for its greatest curvature
+
+/** Length and greatest curvature of a curve, in words. */
+function told(curve: Curve, unit: string): string {
+  const points = curve.sample(LOOKS).filter(({ curvature }) => Number.isFinite(curvature)), length = unit ? ` ${unit}` : "";
+  const most = points.reduce((best, one) => (Math.abs(one.curvature) > Math.abs(best.curvature) ? one : best), points[0] ?? curve.at(0.5));
+  const bend = curve.bends(most.curvature) ? `greatest curvature ${short(most.curvature)}${unit ? ` 1/${unit}` : ""} at t = ${short(most.t, 3)}` : "straight";
+  const side = curve.flat ? " · positive turns left" : "";
+  return `Length ${short(curve.length, 5)}${length} · ${bend}${side}${unit ? "" : " · no unit"}`;
 }

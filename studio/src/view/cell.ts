@@ -1,6 +1,7 @@
 /** What is drawn in one viewport: pieces, each a surface with the lines and points over it. */
 
 import { Scene } from "three";
+import type { CurvePoint } from "../numerics/curve";
 import type { Patch } from "../numerics/model";
 import type { Surface } from "../numerics/surface";
 import type { Frame } from "./frame";
@@ -14,6 +15,8 @@ export class Piece {
   /** What was last drawn, so that only what changed is worked out again. */
   patch: Patch | null = null;
   surface: Surface | null = null;
+  /** The points of a curve, where the piece is one. */
+  curve: readonly CurvePoint[] = [];
   side = 0;
   frame: Frame | null = null;
   quantity = "";

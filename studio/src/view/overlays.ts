@@ -5,6 +5,7 @@ import { THRESHOLDS } from "../numerics/classify";
 import { directionCos, directionSin, principalDirection } from "../numerics/curvature";
 import { PLANE } from "../numerics/kernel";
 import type { Settings } from "../app/settings";
+import type { CurvePoint } from "../numerics/curve";
 import type { Handle } from "../edit/handles";
 import { zeroContour } from "./contour";
 import { toScene, type Frame } from "./frame";
@@ -12,7 +13,7 @@ import { Lines, Points } from "./lines";
 import type { SurfaceMesh } from "./mesh";
 import { sectionGrips, sectionOutline, sectionPlane } from "./section";
 
-type Line = "net" | "first" | "second" | "normals" | "teethU" | "teethV" | "combU" | "combV" | "zeroK" | "zeroH" | "section" | "plane" | "arm" | "edge";
+type Line = "curve" | "net" | "first" | "second" | "normals" | "teethU" | "teethV" | "combU" | "combV" | "zeroK" | "zeroH" | "section" | "plane" | "arm" | "edge";
 
 interface Style {
   readonly width: number;
@@ -26,6 +27,7 @@ interface Style {
 }
 
 const STYLE: Readonly<Record<Line, Style>> = {
+  curve: { width: 2.75, light: "#101418", dark: "#ffffff", opacity: 1 },
   net: { width: 1.25, light: "#44566c", dark: "#c3d0e0", opacity: 0.75, hidden: 0.35 },
   first: { width: 1.75, light: "#101418", dark: "#ffffff", opacity: 0.95 },
   second: { width: 1.25, light: "#7a4b00", dark: "#ffd28a", opacity: 0.95 },
@@ -43,7 +45,7 @@ const STYLE: Readonly<Record<Line, Style>> = {
 };
 
 const LINES = Object.keys(STYLE) as Line[];
-const FROM_SURFACE = LINES.filter((name) => name !== "net" && name !== "edge");
+const FROM_SURFACE = LINES.filter((name) => name !== "net" && name !== "edge" && name !== "curve");
 
 /** The colours of overlay lines in a theme, for the key beside their switches. */
 export const lineColour = (line: Line, dark: boolean): string => STYLE[line][dark ? "dark" : "light"];
@@ -56,6 +58,8 @@ export class Overlays {
   readonly points = new Points();
   /** What the section plane is moved and tilted by. */
   private readonly grips = new Points(true);
+  /** Points of the drawn curve, and the tips of its comb, in the scene. */
+  curvePoints: (readonly number[])[] = [];
   /** Points of the drawn control net in the scene. */
   netPoints: (readonly number[])[] = [];
   private readonly lines = Object.fromEntries(
@@ -107,6 +111,22 @@ export class Overlays {
       } else this.grips.fill([], []);
     }
     for (const name of FROM_SURFACE) this.lines[name].end();
+  }
+
+  /** Redraw a curve with its comb: teeth of `tooth` times the curvature, in the scene, away from the centre of curvature. */
+  curve(points: readonly CurvePoint[], frame: Frame, tooth: number): void {
+    const { curve, teethU, combU } = this.lines, all = [...FROM_SURFACE, "curve"] as const;
+    for (const name of all) this.lines[name].begin();
+    this.grips.fill([], []);
+    const scene = points.map(({ point }) => toScene(frame, point));
+    const tips = tooth ? points.map(({ bend }, i) => scene[i]!.map((x, k) => x - tooth * bend[k]!)) : [];
+    for (let i = 0; i + 1 < scene.length; i++) {
+      curve.join(scene[i]!, scene[i + 1]!);
+      if (tooth) combU.join(tips[i]!, tips[i + 1]!);
+    }
+    for (let i = 0; i < tips.length; i += TOOTH) teethU.join(scene[i]!, tips[i]!);
+    for (const name of all) this.lines[name].end();
+    this.curvePoints = [...scene, ...tips.filter((tip) => tip.every(Number.isFinite))];
   }
 
   /** The outline of the section plane, its normal, and the grips that move and tilt it. */
@@ -207,6 +227,7 @@ export class Overlays {
 }
 
 const COMBS = 7;
+const TOOTH = 3; // points of a curve from tooth to tooth
 
 /** Normal curvature along the iso-curve through a grid point, length⁻¹. */
 function bendAlong(mesh: SurfaceMesh, alongU: boolean, p: number): number {
@@ -230,6 +251,13 @@ export function toothOf(meshes: readonly SurfaceMesh[], settings: Settings, fram
     }
   }
   return longest * size > 1e-9 ? (0.22 * settings.combScale * size * frame.scale) / longest : 0;
+}
+
+/** Scene length of a comb's tooth per curvature for curves, common to all that are shown. */
+export function toothOfCurves(curves: readonly (readonly CurvePoint[])[], scale: number, frame: Frame): number {
+  const longest = Math.max(0, ...curves.flat().map(({ curvature }) => Math.abs(curvature) || 0).filter(Number.isFinite));
+  const size = 2 * Math.hypot(...frame.half) / frame.scale; // length¹
+  return longest * size > 1e-9 ? (0.15 * scale * size * frame.scale) / longest : 0;
 }
 
 /** Call `act` at about 16 × 16 points of the grid, with the scene distance between them. */

@@ -6,7 +6,7 @@ import { covers, windowOf } from "../numerics/trim";
 import { BACK, FRONT, UNDEFINED, type Rgb } from "../ui/colours";
 import { Orbit, VIEWS, type ViewName } from "./camera";
 import { Cell } from "./cell";
-import type { Frame } from "./frame";
+import { toScene, type Frame } from "./frame";
 import { vector } from "./mesh";
 import { meets, pick, type Hit } from "./pick";
 import type { Range } from "./range";
@@ -202,6 +202,22 @@ export class Stage {
     return best;
   }
 
+  /** The place on a curve within so many CSS pixels of a point of the canvas; its t stands as u. */
+  pickCurve(x: number, y: number, frame: Frame, within: number): { cell: number; piece: number; u: number; v: number } | null {
+    const cell = this.cellAt(x, y);
+    let best: { cell: number; piece: number; u: number; v: number } | null = null, near = within;
+    for (const [piece, { curve }] of cell < 0 ? [] : this.cells[cell]!.pieces.entries()) {
+      const seen = curve.map(({ point }) => this.project(cell, toScene(frame, point)));
+      for (let i = 0; i + 1 < seen.length; i++) {
+        const a = seen[i]!, b = seen[i + 1]!, dx = b.x - a.x, dy = b.y - a.y;
+        const share = Math.min(1, Math.max(0, ((x - a.x) * dx + (y - a.y) * dy) / (dx * dx + dy * dy || 1)));
+        const away = Math.hypot(a.x + share * dx - x, a.y + share * dy - y);
+        if (away < near) [near, best] = [away, { cell, piece, u: curve[i]!.t + share * (curve[i + 1]!.t - curve[i]!.t), v: 0 }];
+      }
+    }
+    return best;
+  }
+
   /** Whether a surface stands before a point of the scene. */
   hides(cell: number, p: readonly number[], settings: Settings, frame: Frame): boolean {
     const at = this.project(cell, p), hit = this.pick(at.x, at.y, settings, frame);
@@ -245,7 +261,7 @@ export class Stage {
         for (const { mesh, overlays } of pieces) {
           const x = mesh.position, step = 3 * Math.max(1, Math.floor(mesh.side / 24));
           for (let at = 0; at + 2 < x.length; at += step) if (mesh.covered[at / 3] && within(frame, x[at]!, x[at + 1]!, x[at + 2]!)) take(x[at]!, x[at + 1]!, x[at + 2]!);
-          for (const [px, py, pz] of overlays.netPoints) if (Math.hypot(px!, py!, pz!) < FAR) take(px!, py!, pz!);
+          for (const [px, py, pz] of [...overlays.netPoints, ...overlays.curvePoints]) if (Math.hypot(px!, py!, pz!) < FAR) take(px!, py!, pz!);
         }
       }
       if (!(most >= left)) break;

@@ -223,11 +223,6 @@ class Developable(Based):
     )
 
     @property
-    def drawn(self) -> bool:
-        """Whether the browser knows the functions of the basis."""
-        return self.basis == "trigonometric"
-
-    @property
     def point_counts(self) -> tuple[int, ...]:
         """Number of control planes."""
         return (len(self.planes),)
