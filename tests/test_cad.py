@@ -13,7 +13,7 @@ import shapes
 from quintrig.exchange.cad import isolated
 from quintrig.exchange.cad.faces import to_model
 from quintrig.exchange.cad.fit import FitOptions, fit
-from quintrig.exchange.cad.forms import carriers
+from quintrig.exchange.cad.forms import written_carriers
 from quintrig.exchange.cad.readback import deviations
 from quintrig.exchange.cad.save import CadOptions, export_cad
 from quintrig.geometry.exact import exact_surface
@@ -42,7 +42,7 @@ def test_round_trip_keeps_points_name_unit_and_normal(name, suffix, tmp_path):
     export_cad(model, path)
     contents = isolated.read_here(path)
     (face,) = contents.faces
-    (found,) = deviations(carriers(model), contents, 100)
+    (found,) = deviations(written_carriers(model), contents, 100)
     assert found.relative <= 1e-12
     assert bool(face.keys.get("flip", False)) == surface.flip
     assert "trim" not in face.keys
@@ -350,7 +350,7 @@ def test_far_from_the_origin_files_are_as_near_as_coordinates_can_be(suffix, far
     path = tmp_path / f"far.{suffix}"
     notes = "\n".join(export_cad(model, path))
     contents = isolated.read_here(path)
-    (found,) = deviations(carriers(model), contents, 100)
+    (found,) = deviations(written_carriers(model), contents, 100)
     assert found.distance <= 32 * np.spacing(far)
     assert ("from the origin" in notes) == (far > 1e4)
     (face,) = contents.faces
