@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from quintrig.exchange.cad.forms import carriers
+from quintrig.exchange.cad.forms import written_carriers
 from quintrig.exchange.tools.whole import whole
 from quintrig.geometry.surface import Surface
 from quintrig.model.model import Model
@@ -26,7 +26,7 @@ def to_build123d(value: Surface | Model) -> Any:
                 "hand over its surface.carrier, the whole surface without loops"
             )
     with quiet():
-        result = shell(carriers(model))
+        result = shell(written_carriers(model))
     if len(model.patches) == 1:
         face = build123d.Face(down_to("Face", explored(result.shape, "FACE")[0]))
         face.label = model.patches[0].name

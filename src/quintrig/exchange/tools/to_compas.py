@@ -4,7 +4,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from quintrig.exchange.cad.forms import Carrier, carriers
+from quintrig.exchange.cad.forms import Carrier, written_carriers
 from quintrig.exchange.tools.meshed import meshed
 from quintrig.exchange.tools.whole import alone, whole
 from quintrig.geometry.surface import Surface
@@ -20,7 +20,7 @@ def to_compas(value: Surface | Model, *, form: Literal["mesh", "nurbs"] = "mesh"
     if form == "nurbs":
         if options:
             raise ValueError(f'{next(iter(options))}: goes with form = "mesh" alone; a NURBS surface has no points')
-        parts = {part.name: _data(part) for part in carriers(whole(value))}
+        parts = {part.name: _data(part) for part in written_carriers(whole(value))}
         return next(iter(parts.values())) if alone(value) else parts
     result, model = meshed(value, **options)
     mesh = datastructures.Mesh.from_vertices_and_faces(result.points.tolist(), result.triangles.tolist())

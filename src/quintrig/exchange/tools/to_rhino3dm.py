@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from quintrig.exchange.cad.forms import carriers
+from quintrig.exchange.cad.forms import written_carriers
 from quintrig.exchange.cad.rhino import to_rhino
 from quintrig.exchange.origin import refuse_point
 from quintrig.exchange.tools.whole import alone, whole
@@ -16,5 +16,5 @@ def to_rhino3dm(value: Surface | Model) -> Any:
     rhino = need("rhino3dm", "to_rhino3dm")
     model = whole(value)
     refuse_point(model)
-    parts = {part.name: to_rhino(rhino, part.form) for part in carriers(model)}
+    parts = {part.name: to_rhino(rhino, part.form) for part in written_carriers(model)}
     return next(iter(parts.values())) if alone(value) else parts
