@@ -66,8 +66,9 @@ def _warnings(one: "NamedCurve", bends: "np.ndarray[tuple[int, ...], np.dtype[np
     warnings: list[str] = []
     if not np.isfinite(bends).all():
         warnings.append("the curve stands still at an end: curvature is not defined there")
+    warnings += [line.rstrip(".") for line in curve.caveats]
     ranges, values = one.definition.ranges, one.definition.acting
-    if any(not ranges[key].holds(value) for key, value in values.items()):
+    if not curve.caveats and any(not ranges[key].holds(value) for key, value in values.items()):
         warnings.append("shape parameters outside their range: the curve may leave the convex hull of its points")
     if not (np.linalg.norm(np.diff(curve.points, axis=0), axis=-1) > 0.0).all():
         warnings.append("neighbouring control points coincide")

@@ -39,7 +39,7 @@ Part = TypeVar("Part", Patch, NamedCurve)
 
 @dataclass(frozen=True, eq=False)
 class Model:
-    """A model file: name, unit of length (empty: plain numbers), patches with sides held together, or curves."""
+    """A model file: name, unit of length (empty: plain numbers), patches with sides held together, and curves."""
 
     name: str
     unit: str
@@ -85,8 +85,8 @@ class Model:
         return parts[known.index(name)]
 
     def refuse_curves(self) -> None:
-        """Raise ModelError for a model of curves, which has no surface."""
-        if self.curves:
+        """Raise ModelError for a model of curves alone, which has no surface."""
+        if not self.patches:
             raise ModelError(
                 f"model {self.name!r}: expected a surface, found curves; a swept or ruled model makes a surface of them"
             )
@@ -105,8 +105,12 @@ class Model:
         return call("joins", self, **limits)
 
     def with_shape(self, shape: Sequence[float]) -> "Model":
-        """Return the model with every patch's shape parameters replaced."""
-        self.refuse_curves()
+        """Return the model with every patch's shape parameters replaced, or every curve's where there are curves alone.
+
+        Raises ModelError where they do not fit.
+        """
+        if not self.patches:
+            return replace(self, curves=tuple(one.with_shape(shape) for one in self.curves))
         return replace(self, patches=tuple(patch.with_shape(shape) for patch in self.patches))._carried()
 
     def with_patch(self, patch: Patch) -> "Model":
@@ -154,14 +158,12 @@ class Model:
         name = _text(data.pop("name", ""), "name")
         tables = data.pop("join", None)
         parts = _parts(data, name, folder)
-        if any(keys.get("kind") == "curve" for _, keys in parts):
-            if tables is not None:
-                raise ModelError("join: holds sides of surfaces together; curves are joined by join_curves")
-            curves = _curves(parts, folder)
-            return Model(name or curves[0].name, unit, (), curves=curves)
-        patches = tuple(patch_of(keys, called, folder) for called, keys in parts)
+        curves = _curves([part for part in parts if part[1].get("kind") == "curve"], folder)
+        patches = tuple(patch_of(keys, called, folder) for called, keys in parts if keys.get("kind") != "curve")
+        if tables is not None and not patches:
+            raise ModelError("join: holds sides of surfaces together; curves are joined by join_curves")
         rules = () if tables is None else held(tables, tuple(patch.name for patch in patches))
-        return Model(name or patches[0].name, unit, patches, rules)._carried()
+        return Model(name or parts[0][0], unit, patches, rules, curves)._carried()
 
     def to_dict(self) -> dict[str, Any]:
         """Return the keys of a model file that gives this model back; keys at their default are left out.
@@ -177,7 +179,7 @@ class Model:
         header: dict[str, Any] = {"schema": SCHEMA_VERSION, "name": self.name}
         if self.unit:
             header["unit"] = self.unit
-        parts = self.patches or self.curves
+        parts: tuple[Patch | NamedCurve, ...] = (*self.patches, *self.curves)
         dumps = [
             {
                 "kind": getattr(part.definition, "kind", ""),
@@ -247,12 +249,7 @@ def _parts(data: dict[str, Any], name: str, folder: Path | None) -> list[tuple[s
 
 
 def _curves(parts: list[tuple[str, dict[str, Any]]], folder: Path | None) -> tuple[NamedCurve, ...]:
-    """Return the curves of a model of curves; ModelError where there are surfaces, or curves of both dimensions."""
-    for called, keys in parts:
-        if keys.get("kind") != "curve":
-            raise ModelError(
-                f'patch "{called}": expected a curve, as the others are; keep surfaces in a model of their own'
-            )
+    """Return the curves of a model; ModelError where some are in the plane and some in space."""
     curves = tuple(curve_of(keys, called, folder) for called, keys in parts)
     if len({one.curve.points.shape[1] for one in curves}) > 1:
         raise ModelError("points: expected curves all in the plane or all in space, found both in one model")
