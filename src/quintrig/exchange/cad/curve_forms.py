@@ -8,7 +8,7 @@ import numpy as np
 from quintrig.basis.bspline import clamped
 from quintrig.basis.rational import NotRationalError, TangentMap
 from quintrig.exchange.cad.faces import SpaceCurve
-from quintrig.exchange.cad.fit import MOST_SPANS, FitOptions, sites, solved
+from quintrig.exchange.cad.fit import MOST_SPANS, FitOptions, fit_sites, solved
 from quintrig.geometry.curve import Curve
 from quintrig.geometry.exact import ExactCurve, exact_curve
 from quintrig.model.model import Model
@@ -87,7 +87,7 @@ def fitted(
     spans = 1
     while True:
         basis = clamped(np.linspace(0.0, 1.0, spans + 1), options.degree, options.degree - options.smoothness)
-        at, fine = sites(basis, 2), sites(basis, 8)
+        at, fine = fit_sites(basis, 2), fit_sites(basis, 8)
         control = solved(basis, at, place(at))
         off = float(np.linalg.norm(basis.derivatives(fine, 0)[0] @ control - place(fine), axis=-1).max())
         if off <= tolerance:

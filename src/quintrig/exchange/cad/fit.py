@@ -80,7 +80,7 @@ def _spans_along(surface: Surface, axis: int, options: FitOptions, tolerance: fl
     spans = 1
     while spans < MOST_SPANS:
         basis = _basis(spans, options)
-        sites, fine = sites(basis, 2), sites(basis, 5)
+        sites, fine = fit_sites(basis, 2), fit_sites(basis, 5)
         points = _curves(surface, sites, across, axis)
         found = basis.derivatives(fine, 0)[0] @ solved(basis, sites, points.reshape(len(sites), -1))
         if np.abs(found - _curves(surface, fine, across, axis).reshape(len(fine), -1)).max() <= tolerance:
@@ -98,7 +98,7 @@ def _basis(spans: int, options: FitOptions) -> BSpline:
     return clamped(np.linspace(0.0, 1.0, spans + 1), options.degree, options.degree - options.smoothness)
 
 
-def sites(basis: BSpline, density: int) -> FloatArray:
+def fit_sites(basis: BSpline, density: int) -> FloatArray:
     """Return parameters, the ends and ``density`` (degree + 1) Chebyshev points in every span."""
     count = density * (basis.degree + 1)
     local = 0.5 - 0.5 * np.cos(np.pi * (np.arange(count) + 0.5) / count)
@@ -120,7 +120,7 @@ def solved(basis: BSpline, sites: FloatArray, values: FloatArray) -> FloatArray:
 
 def _fitted(surface: Surface, options: FitOptions, u_spans: int, v_spans: int) -> ExactSurface:
     u, v = _basis(u_spans, options), _basis(v_spans, options)
-    s, t = sites(u, 2), sites(v, 2)
+    s, t = fit_sites(u, 2), fit_sites(v, 2)
     points = surface(s[:, None], t[None, :])
     half = solved(u, s, points.reshape(len(s), -1)).reshape(u.size, len(t), 3)
     whole = solved(v, t, half.transpose(1, 0, 2).reshape(len(t), -1)).reshape(v.size, u.size, 3)
@@ -130,7 +130,7 @@ def _fitted(surface: Surface, options: FitOptions, u_spans: int, v_spans: int) -
 
 
 def _deviation(surface: Surface, form: ExactSurface) -> float:
-    s, t = sites(form.u, 4), sites(form.v, 4)
+    s, t = fit_sites(form.u, 4), fit_sites(form.v, 4)
     blend = form.v.derivatives(t, 0)[0]
     largest = 0.0
     for part in np.array_split(s, max(1, s.size * t.size // 200_000)):
