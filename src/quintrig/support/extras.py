@@ -14,6 +14,7 @@ EXTRAS = {
     "pyarrow": ("sweep", "pyarrow"),
     "distributed": ("cluster", "Dask's distributed"),
     "zarr": ("stream", "Zarr"),
+    "sympy": ("formulas", "SymPy"),
 }
 """The extra of this package and the name of the project, by Python module."""
 
