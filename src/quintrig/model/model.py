@@ -5,6 +5,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, TypeVar, cast
 
+from quintrig.basis.library import Entry
+from quintrig.basis.registry import bases
 from quintrig.geometry.curve import Curve
 from quintrig.geometry.surface import Surface
 from quintrig.model.explain import HEADER, spell
@@ -12,6 +14,7 @@ from quintrig.model.held import Held, held
 from quintrig.model.kinds.curve import CurveKind
 from quintrig.model.kinds.recognise import Bare
 from quintrig.model.kinds.registry import kinds
+from quintrig.model.own_bases import table_of
 from quintrig.model.patch import NamedCurve, Patch, curve_of, patch_of, with_bases
 from quintrig.model.reading import read_text
 from quintrig.support.display import mime_bundle
@@ -124,8 +127,8 @@ class Model:
 
     @staticmethod
     def of_curves(curves: Sequence[Curve], name: str = "curves", unit: str = "") -> "Model":
-        """Return a model of quintic trigonometric or Bernstein curves, called curve 1, curve 2, ...; ModelError."""
-        tables = [
+        """Return a model of curves in any basis, called curve 1, curve 2, ...; ModelError where it cannot hold them."""
+        tables: list[dict[str, Any]] = [
             {
                 "kind": "curve",
                 "name": f"curve {index}",
@@ -136,6 +139,10 @@ class Model:
             }
             for index, curve in enumerate(curves, 1)
         ]
+        for curve, table in zip(curves, tables, strict=True):
+            if table["basis"] not in bases() and isinstance(curve.basis, Entry):  # one of a model's own
+                own = curve.basis.basis(len(curve.points))
+                table |= {"bases": {own.name: table_of(own)}, "unchecked_basis": not own.partition}
         return Model.from_dict({"name": name, "patch": tables} | ({"unit": unit} if unit else {}))
 
     @staticmethod
