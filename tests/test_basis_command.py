@@ -137,3 +137,81 @@ def test_bad_options_are_told_in_one_line(arguments):
     error = CliRunner().invoke(build(), ["basis", *arguments]).exception
     assert isinstance(error, ValueError)
     assert "\n" not in str(error)
+
+
+PRINTED = "z''(0) = pi^2*(3*P2 - 2*P1)*(3 + alpha) + P0*(3 + 2*alpha)"
+"""Thesis eq. (2.3), left end, as printed."""
+
+
+def test_the_misprint_is_caught_from_the_command_line_and_from_a_file(tmp_path):
+    run = CliRunner().invoke
+    right = "z'(0) = pi/2*(4+alpha)*(P1-P0)"
+    data = json.loads(run(build(), ["basis", "quintic", "--json", "--claim", PRINTED, "--claim", right]).stdout)
+    wrong, fine = data["claims"]
+    assert fine["finding"]["holds"] is True
+    assert wrong["finding"]["holds"] is False
+    assert wrong["finding"]["worst"] == pytest.approx(9 / 8, rel=1e-12)
+    assert wrong["finding"]["at"]["alpha"] == 1.0
+    assert wrong["point"] == "P2"
+    table = Basis("paper", *(lambda b: (b.functions, b.parameters, "", (PRINTED,)))(_library("quintic")))
+    from quintrig.model.own_bases import table_of
+
+    file = tmp_path / "paper.json"
+    file.write_text(json.dumps({"basis": {"paper": table_of(table)}}))
+    told = run(build(), ["basis", str(file)]).stdout
+    assert "NO  claimed: z''(0)" in told
+    assert "off by 1.12 of the largest coefficient for P2" in told
+    page = tmp_path / "page.html"
+    assert run(build(), ["basis", str(file), "-o", str(page)]).exit_code == 0
+    assert "off by 1.12" in page.read_text()
+
+
+@pytest.mark.parametrize("claim", ["hello", "z''''(0) = P0", "z(2) = P0", "z'(0) = P0^2", "z'(0) = t*P0", "z'(0) = P9"])
+def test_what_is_no_claim_is_told_in_one_line(claim):
+    error = CliRunner().invoke(build(), ["basis", "cubic", "--claim", claim]).exception
+    assert isinstance(error, ValueError)
+    assert "\n" not in str(error)
+
+
+@pytest.mark.parametrize(
+    "name", ["quintic", "cubic", "sg_bezier", "generalised_trigonometric", "q_bernstein", "c_bezier"]
+)
+def test_end_derivatives_are_formulas_in_the_parameters(name):
+    pytest.importorskip("sympy")
+    from quintrig.analysis.basis_ends import end_formulas
+    from quintrig.basis.expression import series
+    from quintrig.basis.grammar import parse
+
+    basis = _library(name)
+    found = end_formulas(basis)
+    assert found is not None
+    random = np.random.default_rng(3)
+    for _ in range(3):
+        values = [one.low + (one.high - one.low) * random.uniform(0.2, 0.8) for one in basis.parameters]
+        family = basis.family(values)
+        given = {one.name: np.asarray(x) for one, x in zip(basis.parameters, values, strict=True)}
+        for end in (0, 1):
+            true = family.derivatives(np.array([float(end)]), 3)[:, 0]
+            for order in range(4):
+                trees = [parse(text, given) for text in found[str(end)][order]]
+                told = series(trees, np.zeros(1), 0, {k: v[None] for k, v in given.items()})[0, 0]
+                assert told == pytest.approx(true[order], rel=1e-9, abs=1e-9 * np.abs(true[order]).max())
+
+
+def test_signs_are_certified_or_said_to_be_sampled():
+    how = {one.name: check_basis(one.basis()).findings["non_negative"].how for one in LIBRARY if one.usual <= 6}
+    assert all("certified" in how[name] for name in ("quintic", "quadratic", "lambda_bezier", "sg_bezier", "ali_cubic"))
+    assert how["c_bezier"] == "sampled"
+    from quintrig.analysis.basis_sign import certified
+
+    quintic = _library("quintic")
+    for low, high in ((-4.0, 1.02), (-4.05, 1.0)):  # just outside of [-4, 1] a function is negative
+        wider = tuple(Parameter(one.name, low, high) for one in quintic.parameters)
+        assert not certified(Basis("wider", quintic.functions, wider))
+    # Negative on an interval too short for samples: (t - 1/3)² - 1e-10.
+    assert not certified(Basis("narrow", ("(t-1/3)^2-1e-10", "1-(t-1/3)^2+1e-10")))
+    assert certified(Basis("touching", ("(t-1/3)^2", "1-(t-1/3)^2")))
+
+
+def _library(name):
+    return next(one for one in LIBRARY if one.name == name).basis()

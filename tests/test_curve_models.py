@@ -61,11 +61,10 @@ def test_mistakes_are_told_in_one_line(keys, message):
     assert "\n" not in str(error.value)
 
 
-def test_several_curves_and_no_mixing():
+def test_several_curves_of_one_dimension():
     one = {"kind": "curve", "name": "a", "points": POINTS}
     assert len(Model.from_dict({"patch": [one, one | {"name": "b"}]}).curves) == 2
     for other, message in (
-        ({"kind": "sphere"}, "of their own"),
         (one, "this name"),
         (one | {"name": "c", "points": [[*p, 0] for p in POINTS]}, "both in one model"),
     ):
@@ -91,28 +90,16 @@ def test_plot_draws_a_curve(model, tmp_path, what):
 
 def test_commands_of_surfaces_refuse_a_curve_in_one_line(model, tmp_path):
     for words in (
-        ["report", str(model), str(tmp_path / "r")],
-        ["export", str(model), str(tmp_path / "c.step")],
-        ["compare", str(model)],
+        ["joins", str(model)],
         ["flatten", str(model), str(tmp_path / "c.svg")],
         ["grid", str(model), str(tmp_path / "c.parquet")],
-        ["sweep", str(model), "--vary", "alpha=0:1:3", "-o", str(tmp_path / "s")],
     ):
         result = run(*words)
         assert result.code == 2, words
         assert "expected a surface, found curves" in result.err
         assert result.err.count("\n") == 1
-    loaded = quintrig.load(model)
-    from quintrig.exchange.export import export
-    from quintrig.report import write_report
-
-    for call in (
-        lambda: loaded.surface,
-        lambda: export(loaded, tmp_path / "c.stl"),
-        lambda: write_report(loaded, tmp_path / "r"),
-    ):
-        with pytest.raises(ModelError, match="found curves"):
-            call()
+    with pytest.raises(ModelError, match="found curves"):
+        _ = quintrig.load(model).surface
     assert sorted(path.name for path in tmp_path.iterdir()) == ["c.toml"]
 
 

@@ -179,6 +179,40 @@ def test_joins(ratio: float) -> None:
         assert agree == (order == "G3")
 
 
+@pytest.mark.parametrize(
+    ("basis", "count", "shape"),
+    [("bernstein", 5, None), ("cubic", 5, None), ("alpha_bernstein", 5, [0.5]), ("c_bezier", 4, [1.0])],
+)
+def test_joins_in_any_basis(basis: str, count: int, shape: list[float] | None) -> None:
+    """Bases answer for their ends: tangent, curvature vector and the slope of the curvature go on."""
+    basis = "quartic" if basis == "cubic" else basis
+    second = Curve(np.random.default_rng(0).normal(size=(count, 3)), basis=basis, shape=shape)
+    for first in (SPACE, Curve(SPACE.points[:count], basis=basis, shape=shape)):
+        for order in ("G1", "G2", "G3"):
+            if order == "G3" and (count == 4 or (basis == "quartic" and first is not SPACE)):
+                continue
+            joined = join_curves(first, second, order, 0.7, 0.3)  # pyright: ignore[reportArgumentType]
+            assert joined(0.0) == pytest.approx(first(1.0))
+            assert joined.tangent(0.0) == pytest.approx(first.tangent(1.0), abs=1e-12)
+            if order != "G1":
+                assert joined.curvature(0.0) == pytest.approx(first.curvature(1.0), rel=1e-10)
+                assert joined.binormal(0.0) == pytest.approx(first.binormal(1.0), abs=1e-10)
+            if order == "G3":
+                assert _slope(joined, 0.0) == pytest.approx(_slope(first, 1.0), rel=1e-8)
+
+
+def test_a_split_is_exact_wherever_the_space_is_one_of_polynomials() -> None:
+    """Ali's cubic and q-Bernstein hold the parts of their own curves, as Bernstein does; λ-Bézier does not."""
+    points = SPACE.points[:4]
+    for basis, shape in (("ali_cubic", [1.5, 2.5]), ("q_bernstein", [0.6]), ("alpha_bernstein", [0.3])):
+        curve = Curve(points, basis=basis, shape=shape)
+        pieces = split_curve(curve, 0.3)
+        assert pieces.error == 0.0
+        assert pieces.curves[0](0.5) == pytest.approx(curve(0.15), abs=1e-12)
+        assert pieces.curves[1](0.5) == pytest.approx(curve(0.65), abs=1e-12)
+    assert split_curve(Curve(points, basis="lambda_bezier", shape=[0.5]), 0.3).error > 0.0
+
+
 @pytest.mark.parametrize("dimension", [2, 3])
 @pytest.mark.parametrize("closed", [False, True])
 def test_interpolation_is_g2(dimension: int, closed: bool) -> None:
@@ -207,7 +241,7 @@ def test_interpolation_is_g2(dimension: int, closed: bool) -> None:
         (lambda: join_curves(PLANE, SPACE), "dimensions"),
         (lambda: join_curves(PLANE, PLANE, ratio=-1.0), "ratio"),
         (lambda: join_curves(PLANE, Curve(PLANE.points, -4.0)), "-4"),
-        (lambda: join_curves(PLANE, CUBIC), "trigonometric"),
+        (lambda: join_curves(PLANE, Curve([[0, 0], [1, 1]], basis="bernstein")), "more than 2 control points"),
         (lambda: PLANE.closest([0, 0, 0]), "point"),
         (lambda: PLANE.meets_plane([0, 0, 1]), "normal"),
         (lambda: PLANE.binormal(0.5), "space"),

@@ -7,7 +7,9 @@ from typing import Any
 
 import numpy as np
 
+from quintrig.analysis.basis_ends import Claim, check_claim, compared, derivative_words, end_formulas
 from quintrig.analysis.basis_samples import TIMES, Finding, Samples
+from quintrig.analysis.basis_sign import HOW, certified
 from quintrig.analysis.basis_space import circles, condition, independence, spans, total_positivity
 from quintrig.basis.formula_checks import corners
 from quintrig.basis.formulas import Basis
@@ -15,6 +17,7 @@ from quintrig.basis.rational import NotRationalError
 from quintrig.support.arrays import FloatArray
 
 _TIGHT = 1e-12
+_LONGEST = 300  # letters of an end derivative that is told as a formula
 _FARTHEST = 16.0  # widths of the range in which a wider one is sought
 
 PROPERTIES = {
@@ -37,7 +40,9 @@ PROPERTIES = {
 class BasisReport:
     """What was found of a basis: a ``Finding`` for each of ``PROPERTIES``, and values for the starting parameters.
 
-    ``end_derivatives`` holds, for t = 0 and 1, the coefficients of derivatives 0 to 3 on the control points.
+    ``end_derivatives`` holds, for t = 0 and 1, the coefficients of derivatives 0 to 3 on the control points;
+    ``end_formulas`` the same as formulas in the parameters, None without SymPy; ``claims`` what the source says of
+    them.
     """
 
     name: str
@@ -50,6 +55,18 @@ class BasisReport:
     end_derivatives: dict[str, list[list[float]]]
     rational_degree: int | None
     condition: float
+    end_formulas: dict[str, list[list[str]]] | None = None
+    claims: tuple[Claim, ...] = ()
+
+    def derivative(self, end: str, order: int) -> str:
+        """Return an end derivative in words: by formulas, or by numbers for the starting parameters where none is short."""
+        if self.end_formulas is not None:
+            words = derivative_words(self.end_formulas[end][order])
+            if len(words) <= _LONGEST:
+                return words
+        row = self.end_derivatives[end][order]
+        terms = " ".join(f"{c:+.6g}*P{i}" for i, c in enumerate(row) if abs(c) > 1e-9) or "0"
+        return f"{terms} for the starting parameters" if self.parameters else terms
 
     def as_json(self) -> dict[str, Any]:
         """Return plain data: each property true or false by its name, and under ``found`` how far off and where."""
@@ -62,13 +79,20 @@ class BasisReport:
         return head | truth | {"found": found} | data
 
 
-def check_basis(basis: Basis) -> BasisReport:
-    """Return what samples of [0, 1] and of the whole range of the parameters say of a basis."""
+def check_basis(basis: Basis, claims: Sequence[str] = ()) -> BasisReport:
+    """Return what samples of [0, 1] and of the whole range of the parameters say of a basis, and of ``claims``.
+
+    That no function is negative is proved where the formulas allow it. Claims are those of the basis, and these too;
+    ValueError for text that is none.
+    """
     samples = Samples(basis)
     values = samples.functions
     sums = samples.worst(np.abs(values.sum(axis=-1) - 1.0), _TIGHT)
     sign = samples.worst(-values.min(axis=-1), _TIGHT)
     line = spans(samples, TIMES)
+    if sign.holds and certified(basis):
+        sign = replace(sign, how=HOW)
+    formulas = end_formulas(basis)
     findings = {
         "partition_of_unity": sums,
         "non_negative": replace(sign, worst=-sign.worst),
@@ -95,6 +119,8 @@ def check_basis(basis: Basis) -> BasisReport:
         {str(end): ends[:, end].tolist() for end in (0, 1)},
         _degree(basis),
         condition(samples),
+        formulas,
+        tuple(check_claim(basis, text, formulas) for text in (*basis.claims, *claims)),
     )
 
 
@@ -172,7 +198,4 @@ def check_end_derivative(basis: Basis, end: int, order: int, claimed: Sequence[s
     samples, time = Samples(basis), np.array([float(end)])
     told = Samples(Basis(basis.name, tuple(claimed), basis.parameters)).derivatives(samples.values, time, 0)[0, :, 0]
     true = samples.derivatives(samples.values, time, order)[order, :, 0]
-    off = np.abs(told - true) / max(float(np.abs(true).max()), 1e-300)
-    row, point = np.unravel_index(int(off.argmax()), off.shape)
-    worst = float(off[row, point])
-    return Finding(worst <= 1e-11, worst, {"t": float(end), "i": float(point)} | samples.named(int(row)))
+    return compared(basis, samples, told, true, end)

@@ -105,7 +105,7 @@ def find_cautions(
     singular = find_singular(sample)
     if singular.count == singular.samples > 0:
         return (singular.describe(), *_points(surface))
-    told = [*_singular(surface, singular, size), *_parameters(surface, unit), *_caveats(surface), *_points(surface)]
+    told = [*_singular(surface, singular, size), *_parameters(surface, unit), *surface.caveats, *_points(surface)]
     regressive = _regression(surface)
     told += regressive or _folds(sample)
     told += _unbounded(extremes)
@@ -199,12 +199,6 @@ def _parameters(surface: Surface, unit: str) -> list[str]:
             + _departure(surface, unit)
         )
     return told
-
-
-def _caveats(surface: Surface) -> list[str]:
-    """What the bases themselves must be warned of."""
-    families = (getattr(surface.rows, "functions", None), surface.blend)
-    return list(dict.fromkeys(line for one in families if one is not None for line in one.caveats))
 
 
 def _departure(surface: Surface, unit: str) -> str:

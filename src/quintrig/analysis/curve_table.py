@@ -32,7 +32,7 @@ def tabulate_curve(curve: Curve, t: ArrayLike, *, unit: str = "", title: str = "
     if not plane:
         columns.append(_column("torsion", "τ", r"\tau", "torsion", per, curve.torsion(at)))
     lengths_in = f"Lengths in {unit}." if unit else "No unit of length is given: plain numbers."
-    return Table(title, (lengths_in, *notes), tuple(columns), 1)
+    return Table(title, (lengths_in, *notes, *curve.caveats), tuple(columns), 1)
 
 
 def _column(key: str, symbol: str, latex: str, name: str, unit: str, values: FloatArray) -> Column:

@@ -165,6 +165,7 @@ def _notes(sample: Sample, keys: Sequence[str], unit: str, whole: bool) -> tuple
         notes.append(f"Invariants in the metric of the {which}.")
     if any(key in CLASSES for key in keys) and sample.size > 0.0:
         notes.append(f"Types: {sample.thresholds.describe(sample.size, unit)}.")
+    notes += sample.surface.caveats
     if sample.surface.trim:
         outside = (
             "belong to its whole surface alone" if whole else "have no values (its carrier, the whole surface, has)"

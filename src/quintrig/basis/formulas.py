@@ -84,6 +84,8 @@ class Basis:
     functions: tuple[str, ...]
     parameters: tuple[Parameter, ...] = ()
     source: str = ""
+    claims: tuple[str, ...] = ()
+    """What the source says of end derivatives, such as ``z'(0) = 3*(P1 - P0)``: the referee looks whether it is so."""
 
     def __post_init__(self) -> None:
         """Parse the formulas once, at birth."""

@@ -32,6 +32,7 @@ class Entry:
     usual: int
     formulas: Callable[[int], tuple[tuple[str, ...], tuple[Parameter, ...]]]
     build: Callable[[int, tuple[float, ...], bool], Functions] | None = None
+    claims: tuple[str, ...] = ()
 
     def basis(self, points: int | None = None) -> Basis:
         """Return the basis as data for a number of control points; ValueError where it has none for so many."""
@@ -65,13 +66,14 @@ class Entry:
 def of_basis(basis: Basis) -> Entry:
     """Return the entry of a basis that has one number of functions only."""
     size = basis.size
-    return Entry(basis.name, basis.name, basis.source, (size,), size, lambda _: (basis.functions, basis.parameters))
+    formulas: Formulas = basis.functions, basis.parameters
+    return Entry(basis.name, basis.name, basis.source, (size,), size, lambda _: formulas, claims=basis.claims)
 
 
 @lru_cache(maxsize=256)
 def _basis(entry: Entry, points: int) -> Basis:
     functions, parameters = entry.formulas(points)
-    return Basis(entry.name, functions, parameters, entry.source)
+    return Basis(entry.name, functions, parameters, entry.source, entry.claims)
 
 
 Formulas = tuple[tuple[str, ...], tuple[Parameter, ...]]

@@ -15,6 +15,7 @@ _EPILOG = session.examples(
     ("quintrig basis", "the bases that are known, with their sources"),
     ("quintrig basis cubic", "what holds of one, and what does not"),
     ("quintrig basis paper.toml --json", "the bases of a file of [basis.NAME] tables, as data"),
+    ('quintrig basis cubic --claim "z\'(0) = pi/2*(1 + alpha)*(P1 - P0)"', "is this formula right? it is not"),
     ("quintrig basis cubic --compare quintic,bernstein -o page.html", "several side by side"),
 )
 
@@ -28,11 +29,19 @@ def basis(
     name: Annotated[str | None, typer.Argument(metavar="[NAME|FILE]", help="A basis, or a file of bases.")] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print data.")] = False,
     compare: Annotated[str | None, typer.Option(metavar="A,B,...", help="Further bases, side by side.")] = None,
+    claim: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="FORMULA", help='An end derivative as printed, such as "z\'(0) = 3*(P1 - P0)". Repeatable.'
+        ),
+    ] = None,
     output: Annotated[Path | None, typer.Option("-o", "--output", metavar="PAGE.html", help="Write a page.")] = None,
 ) -> None:
     """Check a basis: partition of unity, sign, ends, symmetry, precision, total positivity, circles.
 
-    Without a name it lists the bases that are known.
+    Without a name it lists the bases that are known. What a paper prints of the derivatives at t = 0 and 1 is entered
+    with --claim, or as claims = [...] in the file, in the parameters and the control points P0, P1, ...; it says which
+    coefficient is wrong, where and by how much.
     """
     import json
 
@@ -47,7 +56,9 @@ def basis(
     from quintrig.analysis.basis_checks import check_basis
 
     chosen = [one for word in asked for one in _bases(word)]
-    reports = [check_basis(one) for one in chosen]
+    if claim and len(chosen) > 1:
+        raise ValueError(f"--claim: expected one basis to compare with, found {len(chosen)}; put claims into the file")
+    reports = [check_basis(one, claim or ()) for one in chosen]
     if output is not None:
         from quintrig.report.basis_page import basis_page
 
@@ -90,6 +101,7 @@ def _list(as_json: bool) -> None:
 
 def _print(report: "BasisReport") -> None:
     from quintrig.analysis.basis_checks import PROPERTIES
+    from quintrig.analysis.basis_ends import claim_words
 
     session.emit(f"{report.name}: {report.size} functions{'; ' if report.source else ''}{report.source}")
     for name, one in report.parameters.items():
@@ -101,7 +113,10 @@ def _print(report: "BasisReport") -> None:
         session.emit(f"  {word} {PROPERTIES[key]} (worst {found.worst:.3g} at {at}; {found.how})")
     degree = "none" if report.rational_degree is None else f"degree {report.rational_degree}"
     session.emit(f"  exact rational form: {degree}; condition number {report.condition:.3g}")
-    for end, rows in report.end_derivatives.items():
-        for order, row in enumerate(rows[1:], 1):
-            terms = " ".join(f"{c:+.6g} P{i}" for i, c in enumerate(row) if abs(c) > 1e-9)
-            session.emit(f"  derivative {order} at t = {end}: {terms or '0'}")
+    for end in report.end_derivatives:
+        for order in range(1, 4):
+            session.emit(f"  z{order * chr(39)}({end}) = {report.derivative(end, order)}")
+    for one in report.claims:
+        session.emit(f"  {'yes' if one.finding.holds else 'NO '} claimed: {one.text}")
+        if not one.finding.holds:
+            session.emit(f"      {claim_words(one)}")

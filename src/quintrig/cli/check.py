@@ -67,11 +67,12 @@ def _tell(path: Path, model: "Model", console: "Console") -> int:
     console.print(
         f"[bold]{escape(printable(model.name))}[/bold]  [dim]{escape(printable(str(path)))}[/dim]", soft_wrap=True
     )
+    warnings = sum(_tell_patch(patch, model, console) for patch in model.patches) + _tell_seams(model, console)
     if model.curves:
         from quintrig.cli.curves import tell_curve
 
-        return sum(tell_curve(curve, model, console) for curve in model.curves)
-    return sum(_tell_patch(patch, model, console) for patch in model.patches) + _tell_seams(model, console)
+        warnings += sum(tell_curve(curve, model, console) for curve in model.curves)
+    return warnings
 
 
 def _tell_seams(model: "Model", console: "Console") -> int:
@@ -98,7 +99,7 @@ def _tell_patch(patch: "Patch", model: "Model", console: "Console") -> int:
     from quintrig.analysis.summary import summarise
 
     summary = summarise(patch.surface, model.unit)
-    if len(model.patches) > 1:
+    if len(model.patches) + len(model.curves) > 1:
         console.print(f"  [bold]{escape(patch.name)}[/bold]")
     for name, value in _facts(patch, model.unit, summary):
         console.print(f"  [cyan]{name:<10}[/cyan]{escape(value)}", soft_wrap=True)

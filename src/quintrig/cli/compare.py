@@ -15,6 +15,9 @@ if TYPE_CHECKING:
 
     from quintrig.analysis.table import Table
     from quintrig.figure import View
+    from quintrig.model.patch import NamedCurve
+    from quintrig.report.shape_effect_page import Picture
+    from quintrig.shaping.curve_effect import CurveVariant
     from quintrig.shaping.shape_effect import Variant
 
 _MOST = 12
@@ -55,16 +58,18 @@ def compare(
     """Show the effect of shape parameters: the model's own, and other sets beside them.
 
     Writes a page with pictures on one scale of length and colour and a table of intensities: least, greatest and mean
-    K and H, area and energies. In a folder the pictures and the table are files too.
+    K and H, area and energies; of a curve length, extreme curvature and torsion, bending energy. In a folder the pictures and the table are files too.
     """
     from quintrig.figure.plot import read_quantities, read_view
 
     keys, seen = read_quantities([word.strip() for word in quantities.split(",")]), read_view(view)
-    loaded = session.load(model)
+    loaded = session.load_any(model)
+    from quintrig.model.patch import NamedCurve
     from quintrig.shaping.shape_effect import beside_own, intensities, standard_shapes, variant
     from quintrig.support.files import refuse_unwritable, write_whole
 
-    one = loaded.patch(patch)
+    curve = not loaded.patches or patch in [one.name for one in loaded.curves]
+    one = loaded.curve(patch) if curve else loaded.patch(patch)
     shapes = [session.numbers(text, None, "--shape") for text in shape] if shape else standard_shapes(one)
     if len(shapes) > _MOST:
         raise ValueError(f"--shape: expected at most {_MOST} sets, got {len(shapes)}")
@@ -75,6 +80,9 @@ def compare(
     if out is not None:
         refuse_unwritable(out if out.suffix.lower() == ".html" else out / "index.html")
     title = f"{loaded.name}: effect of the shape parameters"
+    if isinstance(one, NamedCurve):
+        _of_curve(beside_own(one, shapes), out, title, loaded.unit)
+        return
     sets = beside_own(one, shapes)
     with session.progress() as progress:
         found: list[Variant] = []
@@ -91,6 +99,24 @@ def compare(
     session.done(next(iter(results)))
 
 
+def _of_curve(curves: "Sequence[NamedCurve]", out: Path | None, title: str, unit: str) -> None:
+    """Print or write what shape parameters do to a curve."""
+    from quintrig.shaping.curve_effect import curve_measures, curve_variant
+
+    found = [curve_variant(one, own=index == 0) for index, one in enumerate(curves)]
+    table = curve_measures(found, unit, title)
+    if out is None:
+        print_table(table, session.output())
+        return
+    from quintrig.report.shape_effect_page import curve_pictures
+    from quintrig.support.files import write_whole
+
+    drawn = curve_pictures(found, unit, title.partition(": effect")[0])
+    for path, content in _files(out, found, table, drawn).items():
+        write_whole(path, content)
+    session.done(out if out.suffix.lower() == ".html" else out / "index.html")
+
+
 def _results(
     out: Path,
     found: "Sequence[Variant]",
@@ -100,10 +126,19 @@ def _results(
     progress: "Callable[[str, int, int], None]",
 ) -> dict[Path, str | bytes]:
     """Return the files to write, the page first: all is made before anything is written."""
-    from quintrig.exchange.tables import TABLE_FORMATS, WRITERS
-    from quintrig.report.shape_effect_page import page, pictures
+    from quintrig.report.shape_effect_page import pictures
 
     drawn = pictures(found, keys, view, table.title.partition(": effect")[0], progress)
+    return _files(out, found, table, drawn)
+
+
+def _files(
+    out: Path, found: "Sequence[Variant] | Sequence[CurveVariant]", table: "Table", drawn: "Sequence[Picture]"
+) -> dict[Path, str | bytes]:
+    """Return the page, and in a folder the pictures and the table as files too."""
+    from quintrig.exchange.tables import TABLE_FORMATS, WRITERS
+    from quintrig.report.shape_effect_page import page
+
     if out.suffix.lower() == ".html":
         return {out: page(found, table, drawn)}
     tables = {out / f"intensities{suffix}": WRITERS[form](table) for suffix, form in TABLE_FORMATS.items()}

@@ -70,7 +70,8 @@ def plot(
 
     One picture a quantity, each with its scale; surface stands for the plain surface.
 
-    Of a model of curves, -q takes curve, comb, hull or curvature.
+    Of a model of curves, -q takes curve, comb, hull, curvature or torsion; the last two run over arc length where the
+    curves go on end to end. Curves beside surfaces are drawn with them.
     """
     loaded = session.load_any(model, face, whole)
     chosen = _chosen(loaded, patch, shape)

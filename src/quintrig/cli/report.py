@@ -26,7 +26,7 @@ def report(
     whole: Whole = False,
 ) -> None:
     """Write a page on a model: figures, tables, integrals, how far the methods agree, warnings."""
-    loaded = session.load(model, face, whole)
+    loaded = session.load_any(model, face, whole)
     from quintrig.report import write_report
 
     with session.progress() as progress:

@@ -53,9 +53,9 @@ def only(model: "Model", name: str | None) -> "Model":
     """Return the model with the patch or curve of this name alone, or all of it."""
     if name is None:
         return model
-    if model.curves:
-        return replace(model, curves=(model.curve(name),))
-    return replace(model, patches=(model.patch(name),), held=())
+    if not model.patches or name in [one.name for one in model.curves]:
+        return replace(model, patches=(), curves=(model.curve(name),), held=())
+    return replace(model, patches=(model.patch(name),), curves=(), held=())
 
 
 def patches(model: "Model", name: str | None) -> "tuple[Patch, ...]":

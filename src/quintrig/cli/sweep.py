@@ -71,7 +71,7 @@ def sweep(
     """Evaluate every design of a space of shape parameters, and find the best.
 
     Each design becomes a row of summaries: extremes and means of K, H and C, area, energies, the share of each HK type,
-    the number of singular points. Rows go to Parquet files in a folder; a stopped sweep continues where it was.
+    the number of singular points. Of a curve, length, extreme curvature and torsion, bending energy, inflections. Rows go to Parquet files in a folder; a stopped sweep continues where it was.
     """
     from quintrig.sweep.query import Question
     from quintrig.sweep.store import load_sweep
@@ -87,7 +87,7 @@ def sweep(
         found = load_sweep(model)
     else:
         found = _begun(model, vary or [], output, sampling, samples, seed, points=points, patch=patch)
-        question.check(found.task.space)  # before the work, not after it
+        question.check(found.task)  # before the work, not after it
         if found.repaired:
             session.remark(f"{found.folder}: {', '.join(found.repaired)} damaged; made anew")
         _run(found, scheduler)
@@ -123,8 +123,9 @@ def _begun(
         raise ValueError(f"{model}: no such file or folder; check the path")
     if output is None:
         raise ValueError("-o: expected a folder for the results, such as -o out/sweep")
-    loaded = session.load(model)
-    chosen = loaded.patch(patch)
+    loaded = session.load_any(model)
+    curve = not loaded.patches or patch in [one.name for one in loaded.curves]
+    chosen = loaded.curve(patch) if curve else loaded.patch(patch)
     space = DesignSpace(tuple(parse_axis(text) for text in vary), sampling, samples, seed)
     return open_sweep(output, Task(loaded.to_dict(), chosen.name, space, points))
 
@@ -158,7 +159,6 @@ def _run(sweep: "Sweep", scheduler: str | None) -> None:
 
 def _answer(found: "Sweep", question: "Question", top: int, plot: Path | None) -> None:
     """List the designs asked for, and draw them."""
-    from quintrig.analysis.integrate import orientation
     from quintrig.sweep.query import count, select
     from quintrig.sweep.refine import select_refined
 
@@ -168,10 +168,9 @@ def _answer(found: "Sweep", question: "Question", top: int, plot: Path | None) -
             f"{unfinished} of {found.parts} parts are missing or cut off: the answer is of the others"
         )
     matching = count(found, question)
-    surface = found.task.built().surface
-    session.emit(f"{matching:,} of {found.task.space.count:,} designs; {orientation(surface)}")
+    session.emit(f"{matching:,} of {found.task.space.count:,} designs; {found.task.side}")
     refined = select_refined(found, question, top)
-    if matching:
+    if matching and not found.task.of_curve:
         session.emit(_told(refined, found.task.points))
     if len(next(iter(refined.rows.values()))):
         _list(refined.rows, found)
@@ -180,7 +179,8 @@ def _answer(found: "Sweep", question: "Question", top: int, plot: Path | None) -
         from quintrig.figure.save import save
 
         unit = str(found.task.model.get("unit", ""))
-        if matching > _PLOTTED:
+        surface = None if found.task.of_curve else found.task.built().surface
+        if matching > _PLOTTED and surface:
             session.remark(f"the picture is of more than {_PLOTTED} designs: their extremes are those at the points")
         rows = select(found, question) if matching > _PLOTTED else select_refined(found, question, _PLOTTED).rows
         names = found.task.space.names
@@ -206,11 +206,9 @@ def _list(rows: "dict[str, FloatArray]", found: "Sweep") -> None:
     from rich.table import Table
 
     from quintrig.exchange.tables import shown
-    from quintrig.sweep.part import column_unit
 
     console = session.output()
     kept = [name for name, values in rows.items() if not name.startswith("share_") or (values > 0.0).any()]
-    unit = str(found.task.model.get("unit", ""))
     # One line a column of the data: twenty and more columns are wider than any screen, a few designs are not.
     total = len(next(iter(rows.values())))
     fit = max(1, (console.width - _NAMES) // _VALUE)
@@ -223,5 +221,5 @@ def _list(rows: "dict[str, FloatArray]", found: "Sweep") -> None:
         for name in kept:
             values = rows[name][start : start + fit].tolist()
             last = name == found.task.space.names[-1]
-            table.add_row(name, column_unit(name, unit), *(shown(value, 5) for value in values), end_section=last)
+            table.add_row(name, found.task.unit_of(name), *(shown(value, 5) for value in values), end_section=last)
         console.print(table)

@@ -74,7 +74,7 @@ def table(
 
     chosen = _format(form, output)
     loaded = session.load_any(model, face)
-    if loaded.curves:
+    if not loaded.patches or patch in [one.name for one in loaded.curves]:
         _deliver(_of_curve(loaded, patch, at, grid), chosen, output, digits, siunitx, model)
         return
     u, v = _points(at, grid, points)

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from quintrig.exchange import nets
+from quintrig.exchange import curve_drawing, nets
 from quintrig.exchange.cad import save as cad
 from quintrig.exchange.cad.save import CadOptions, export_cad
 from quintrig.exchange.formats import suffixes
@@ -14,7 +14,7 @@ from quintrig.model.model import Model
 from quintrig.support.errors import QuintrigError, nearest
 
 EXPORT_SUFFIXES = (*cad.CAD_WRITTEN, *meshes.MESH_SUFFIXES, *nets.NET_SUFFIXES)
-"""Every ending that ``export`` knows."""
+"""Every ending that ``export`` knows; of models with curves also those of drawings."""
 
 _MOST_SEAMS = 8  # that are told one by one
 
@@ -50,14 +50,19 @@ def export(model: Model, path: str | Path, options: ExportOptions | None = None)
     Raises QuintrigError for an unknown suffix, a missing extra or an unwritable target, ValueError where the model
     cannot be written in this format.
     """
-    model.refuse_curves()
     path, options = Path(path), options or ExportOptions()
     suffix = path.suffix.lower()
     replaced = tuple(one for one in targets(model, path) if one.is_file())
     if suffix in cad.CAD_WRITTEN:
         return Written((path,), (*export_cad(model, path, options.cad), *_open_seams(model)), replaced)
+    if suffix in curve_drawing.CURVE_DRAWING_SUFFIXES and model.curves:
+        return Written((path,), curve_drawing.export_curves(model, path, options.cad.fit), replaced)
     if suffix in meshes.MESH_SUFFIXES:
-        return Written((path,), (*export_mesh(model, path, options.mesh), *_open_seams(model)), replaced)
+        if not model.patches:
+            names = ", ".join((*cad.CAD_WRITTEN, *curve_drawing.CURVE_DRAWING_SUFFIXES, *nets.NET_SUFFIXES))
+            raise QuintrigError(f"{path}: a mesh is made of surfaces, and this model has curves alone; choose {names}")
+        left = ("curves are left out: a mesh holds surfaces alone",) if model.curves else ()
+        return Written((path,), (*export_mesh(model, path, options.mesh), *left, *_open_seams(model)), replaced)
     if suffix in nets.NET_SUFFIXES:
         paths = export_net(model, path)
         several = (f"{len(paths)} nets of points, a file for each",) if len(paths) > 1 else ()

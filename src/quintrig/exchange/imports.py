@@ -21,9 +21,7 @@ def open_model(path: str | Path, faces: Sequence[int] | None = None) -> Model:
     if path.suffix.lower() not in CAD_SUFFIXES:
         if faces:
             raise QuintrigError(f"{path}: faces are chosen from CAD files ({', '.join(CAD_SUFFIXES)}), not from models")
-        model = load(path)
-        model.refuse_curves()
-        return model
+        return load(path)
     return to_model(isolated.read(path), str(path), faces)
 
 

@@ -13,6 +13,7 @@ from quintrig.exchange.cad.faces import SpaceCurve
 from quintrig.exchange.formats import suffixes
 from quintrig.model.kinds.registry import kinds
 from quintrig.model.model import Model
+from quintrig.model.patch import NamedCurve, Patch
 from quintrig.model.reading import in_rows, read_net, read_text
 from quintrig.model.save import save
 from quintrig.support.arrays import FloatArray, frozen
@@ -32,9 +33,7 @@ def export_net(model: Model, path: Path) -> tuple[Path, ...]:
     """
     if path.suffix.lower() != ".csv":
         return (save(model, path),)
-    nets = {
-        (patch.name, key): getattr(patch.definition, key) for patch in model.patches for key in _keys(patch.definition)
-    }
+    nets = {(part.name, key): getattr(part.definition, key) for part in _parts(model) for key in _keys(part.definition)}
     names = net_paths(model, path)
     return tuple(write_whole(name, to_csv(net)) for name, net in zip(names, nets.values(), strict=True))
 
@@ -47,11 +46,15 @@ def net_paths(model: Model, path: Path) -> tuple[Path, ...]:
     """
     if path.suffix.lower() != ".csv":
         return (path,)
-    nets = [(patch.name, key) for patch in model.patches for key in _keys(patch.definition)]
+    nets = [(part.name, key) for part in _parts(model) for key in _keys(part.definition)]
     if not nets:
         kinds = ", ".join(sorted({patch.kind for patch in model.patches}))
         raise QuintrigError(f"{path}: a {kinds} has no control points to write; export a mesh or a table instead")
     return tuple(_file_names(path, nets))
+
+
+def _parts(model: Model) -> tuple[Patch | NamedCurve, ...]:
+    return (*model.patches, *model.curves)
 
 
 def to_csv(net: Any) -> str:

@@ -4,6 +4,8 @@ Every function returns a matplotlib ``Figure`` that belongs to no window; ``save
 matplotlib's global settings. Pictures in space are parallel projections with one scale in all directions.
 """
 
+from quintrig.figure.along import curvature_plot as curvature_plot
+from quintrig.figure.along import torsion_plot as torsion_plot
 from quintrig.figure.beside import code_map as code_map
 from quintrig.figure.beside import comparison as comparison
 from quintrig.figure.beside import map_comparison as map_comparison
@@ -16,9 +18,7 @@ from quintrig.figure.camera import TOP as TOP
 from quintrig.figure.camera import VIEWS as VIEWS
 from quintrig.figure.camera import View as View
 from quintrig.figure.curve import basis_functions as basis_functions
-from quintrig.figure.curve import curvature_plot as curvature_plot
 from quintrig.figure.curve import plane_curves as plane_curves
-from quintrig.figure.curve import space_curves as space_curves
 from quintrig.figure.diagram import hk_table as hk_table
 from quintrig.figure.diagram import shape_scale as shape_scale
 from quintrig.figure.palette import Limits as Limits
@@ -33,6 +33,7 @@ from quintrig.figure.scene import Scene as Scene
 from quintrig.figure.scene import Trace as Trace
 from quintrig.figure.seams import SEAM_COLOURS as SEAM_COLOURS
 from quintrig.figure.seams import seam_picture as seam_picture
+from quintrig.figure.space_curves import space_curves as space_curves
 from quintrig.figure.whole import flat_map as flat_map
 from quintrig.figure.whole import map_panels as map_panels
 from quintrig.figure.whole import panels as panels

@@ -1,7 +1,6 @@
-"""Curves and basis functions: families with control polygon and convex hull, curvature combs, curvature over t."""
+"""Plane curves and basis functions: families with control polygon and convex hull, curvature combs."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -11,20 +10,22 @@ from matplotlib.ticker import MaxNLocator
 from scipy.spatial import ConvexHull, QhullError
 
 from quintrig.basis.functions import Functions
+from quintrig.basis.pairs import symbol
 from quintrig.figure.legend import draw_class_list, list_height
 from quintrig.figure.palette import INK, SEQUENTIAL, SERIES
-from quintrig.figure.scene import Scene, Trace
 from quintrig.figure.sheet import Area, Axes, sheet
 from quintrig.figure.style import STANDARD, Style
-from quintrig.figure.whole import space_picture
 from quintrig.figure.wording import exponent, number_text, with_unit
 from quintrig.geometry.curve import Curve
 from quintrig.support.arrays import FloatArray
 
 _SIZE = 8.0
-_POLYGON = "#8a8a8a"
-_SAMPLES = 401
-_MARGIN = (0.62, 0.42, 0.08, 0.08)  # inches for numbers and names: left, bottom, right, top
+POLYGON = "#8a8a8a"
+"""Colour of control polygons."""
+SAMPLES = 401
+"""Points of a drawn curve."""
+MARGIN = (0.62, 0.42, 0.08, 0.08)
+"""Inches for numbers and names: left, bottom, right, top."""
 
 
 def basis_functions(
@@ -41,7 +42,7 @@ def basis_functions(
     columns = max(1, min(columns, len(bases)))
     each = (width - 0.2 - 0.12 * (columns - 1)) / columns
     page = sheet(len(bases), (each, 0.68 * each), columns=columns, titles=titles, title=title, style=style)
-    t = np.linspace(0.0, 1.0, _SAMPLES)
+    t = np.linspace(0.0, 1.0, SAMPLES)
     for area, basis in zip(page.panels, bases, strict=True):
         axes = _plot_axes(area)
         values = basis.derivatives(t, 0)[0]
@@ -49,7 +50,7 @@ def basis_functions(
             colour = SERIES[i % len(SERIES)]
             axes.plot(t, values[:, i], color=colour, linewidth=1.6, zorder=3)
             top = int(np.argmax(values[:, i]))
-            side, shift = ("left", 5.0) if top < 20 else ("right", -5.0) if top > _SAMPLES - 21 else ("center", 0.0)
+            side, shift = ("left", 5.0) if top < 20 else ("right", -5.0) if top > SAMPLES - 21 else ("center", 0.0)
             axes.annotate(
                 f"$f_{i}$",
                 xy=(t[top], values[top, i]),
@@ -63,7 +64,7 @@ def basis_functions(
             )
         axes.set_xlim(0.0, 1.0)
         axes.set_ylim(min(0.0, 1.1 * float(values.min())), 1.12 * float(values.max()))
-        _dress(axes, "$t$", "")
+        dress(axes, "$t$", "")
     return style.finish(page.figure)
 
 
@@ -85,20 +86,22 @@ def plane_curves(
     ``comb`` the curvature combs, all to one scale. Raises ValueError for curves in space.
     """
     width = width / style.factor
+    labels = labels or automatic_labels(curves)
     if any(curve.points.shape[1] != 2 for curve in curves):
         raise ValueError("plane_curves: expected plane curves (n x 2 points), found one in space; use space_curves")
-    combs = _combs(curves) if comb else []
-    cloud = [curve(np.linspace(0.0, 1.0, _SAMPLES)) for curve in curves] + combs
+    tips = combs(curves) if comb else []
+    cloud = [curve(np.linspace(0.0, 1.0, SAMPLES)) for curve in curves] + tips
     cloud += [curve.points for curve in curves] if polygon or hull else []
     points = np.concatenate(cloud)
     low, high = np.nanmin(points, axis=0), np.nanmax(points, axis=0)
     spread = np.maximum(high - low, 1e-3 * max(float(np.max(high - low)), 1e-300))
     shape = float(np.clip(spread[1] / spread[0], 0.3, 1.3))
-    inner = width - 0.2 - _MARGIN[0] - _MARGIN[2]
-    panel = (width - 0.2, shape * inner + _MARGIN[1] + _MARGIN[3])
+    inner = width - 0.2 - MARGIN[0] - MARGIN[2]
+    panel = (width - 0.2, shape * inner + MARGIN[1] + MARGIN[3])
     text = f"Lengths in {unit}" if unit else "No unit of length given"
     if comb:
         text += "; teeth of the comb point away from the centre of curvature, all to one scale"
+    text = ". ".join([text, *(line for curve in curves[:1] for line in origin_note(curve))])
     page = sheet(
         1,
         panel,
@@ -111,81 +114,16 @@ def plane_curves(
     axes = _plot_axes(page.panels[0])
     colours = family_colours(len(curves))
     if hull:
-        for curve in _different(curves):
+        for curve in different(curves):
             _hull(axes, curve.points)
     if polygon:
-        for curve in _different(curves):
+        for curve in different(curves):
             _polygon(axes, curve.points)
     for index, curve in enumerate(curves):
-        draw_curve(axes, curve, colours[index], combs[index] if comb else None)
+        draw_curve(axes, curve, colours[index], tips[index] if comb else None)
     _equal(axes, low, high)
     power = exponent(float(np.abs(points[np.isfinite(points)]).max()))
-    _dress(axes, with_unit("x", unit, power), with_unit("y", unit, power), power)
-    if labels:
-        draw_class_list(page.keys[0], "", labels, colours)
-    return style.finish(page.figure)
-
-
-def space_curves(
-    curves: Sequence[Curve],
-    labels: Sequence[str] = (),
-    scene: Scene | None = None,
-    *,
-    polygon: bool = True,
-    title: str = "",
-    unit: str = "",
-    width: float = 5.0,
-    style: Style = STANDARD,
-) -> Figure:
-    """Return curves in space in one picture, with their control polygons. Raises ValueError for plane curves."""
-    if any(curve.points.shape[1] != 3 for curve in curves):
-        raise ValueError("space_curves: expected curves in space (n x 3 points), found a plane one; use plane_curves")
-    t = np.linspace(0.0, 1.0, _SAMPLES)
-    names = [*labels, *[""] * len(curves)]
-    traces = [
-        Trace(curve(t), name, colour)
-        for curve, name, colour in zip(curves, names, family_colours(len(curves)), strict=False)
-    ]
-    if polygon:
-        traces += [Trace(c.points, "", _POLYGON, 0.8, polygon=True) for c in _different(curves)]
-    scene = scene or Scene()
-    drawn = replace(scene, traces=(*scene.traces, *traces))
-    return space_picture([], None, drawn, title=title, unit=unit, width=width, style=style)
-
-
-def curvature_plot(
-    curves: Sequence[Curve],
-    labels: Sequence[str] = (),
-    *,
-    title: str = "",
-    unit: str = "",
-    width: float = 5.0,
-    style: Style = STANDARD,
-) -> Figure:
-    """Return the curvature over t: signed, positive where the curve turns left, if all are plane curves."""
-    width = width / style.factor
-    t = np.linspace(0.0, 1.0, _SAMPLES)
-    signed = all(curve.points.shape[1] == 2 for curve in curves)
-    values = [curve.signed_curvature(t) if signed else curve.curvature(t) for curve in curves]
-    finite = np.concatenate([v[np.isfinite(v)] for v in values])
-    power = exponent(float(np.abs(finite).max())) if finite.size else 0
-    note = "Positive where the curve turns left" if signed else ""
-    page = sheet(
-        1,
-        (width - 0.2, 0.55 * width),
-        title=title,
-        note=note,
-        key="below" if labels else "none",
-        key_size=list_height(labels, width),
-        style=style,
-    )
-    axes = _plot_axes(page.panels[0])
-    colours = family_colours(len(curves))
-    for value, colour in zip(values, colours, strict=True):
-        axes.plot(t, value, color=colour, linewidth=1.5, zorder=3)
-    axes.axhline(0.0, color=_POLYGON, linewidth=0.7, zorder=2)
-    axes.set_xlim(0.0, 1.0)
-    _dress(axes, "$t$", with_unit("curvature $\\kappa$", f"1/{unit}" if unit else "", power), 0, power)
+    dress(axes, with_unit("x", unit, power), with_unit("y", unit, power), power)
     if labels:
         draw_class_list(page.keys[0], "", labels, colours)
     return style.finish(page.figure)
@@ -193,7 +131,7 @@ def curvature_plot(
 
 def draw_curve(axes: Axes, curve: Curve, colour: str = SERIES[0], comb: FloatArray | None = None) -> None:
     """Draw a plane curve, and its comb where the tips of the teeth (201, 2) are given."""
-    line = curve(np.linspace(0.0, 1.0, _SAMPLES))
+    line = curve(np.linspace(0.0, 1.0, SAMPLES))
     axes.plot(line[:, 0], line[:, 1], color=colour, linewidth=1.7, zorder=4, solid_capstyle="round")
     if comb is None:
         return
@@ -211,7 +149,20 @@ def family_colours(count: int) -> list[str]:
     return [to_hex(shade) for shade in shades]
 
 
-def _combs(curves: Sequence[Curve]) -> list[FloatArray]:
+def automatic_labels(curves: Sequence[Curve]) -> list[str]:
+    """Return the shape parameters of curves by their letters, to tell them apart; none where no curve has any."""
+    found = [dict(curve.functions.parameters) for curve in curves]
+    labels = [", ".join(f"{symbol(name)} = {value:g}" for name, value in one.items()) for one in found]
+    return labels if any(labels) else []
+
+
+def origin_note(curve: Curve) -> list[str]:
+    """Return what a reader of a picture of a curve must be warned of, of its basis."""
+    return [line.rstrip(".") for line in curve.caveats]
+
+
+def combs(curves: Sequence[Curve]) -> list[FloatArray]:
+    """Return the tips (201, 2 or 3) of the combs of curves, all to one scale."""
     t = np.linspace(0.0, 1.0, 201)
     bends = [float(np.nanmax(curve.curvature(t), initial=0.0)) for curve in curves]
     size = max(float(np.linalg.norm(np.ptp(curve.points, axis=0))) for curve in curves)
@@ -219,7 +170,7 @@ def _combs(curves: Sequence[Curve]) -> list[FloatArray]:
     return [curve.comb(t, scale) for curve in curves]
 
 
-def _different(curves: Sequence[Curve]) -> list[Curve]:
+def different(curves: Sequence[Curve]) -> list[Curve]:
     """Return one curve for each different set of control points."""
     kept: list[Curve] = []
     for curve in curves:
@@ -229,7 +180,7 @@ def _different(curves: Sequence[Curve]) -> list[Curve]:
 
 
 def _polygon(axes: Axes, points: FloatArray) -> None:
-    axes.plot(points[:, 0], points[:, 1], color=_POLYGON, linewidth=0.9, zorder=2.5)
+    axes.plot(points[:, 0], points[:, 1], color=POLYGON, linewidth=0.9, zorder=2.5)
     axes.scatter(points[:, 0], points[:, 1], s=15, facecolor="white", edgecolor=INK, linewidth=0.8, zorder=5)
     middle = points.mean(axis=0)
     for i, point in enumerate(points):
@@ -258,7 +209,7 @@ def _hull(axes: Axes, points: FloatArray) -> None:
 
 
 def _plot_axes(area: Area) -> Axes:
-    left, bottom, right, top = _MARGIN
+    left, bottom, right, top = MARGIN
     return area.inside(left, bottom, area.width - left - right, area.height - bottom - top)
 
 
@@ -273,7 +224,8 @@ def _equal(axes: Axes, low: FloatArray, high: FloatArray) -> None:
     axes.set_ylim(y - 0.5 * scale * tall, y + 0.5 * scale * tall)
 
 
-def _dress(axes: Axes, x: str, y: str, power_x: int = 0, power_y: int | None = None) -> None:
+def dress(axes: Axes, x: str, y: str, power_x: int = 0, power_y: int | None = None) -> None:
+    """Set the names, numbers and lines of a diagram's axes, given the power of ten of each."""
     axes.xaxis.set_major_locator(MaxNLocator(nbins=6, steps=[1, 2, 2.5, 5, 10]))
     axes.yaxis.set_major_locator(MaxNLocator(nbins=6, steps=[1, 2, 2.5, 5, 10]))
     axes.xaxis.set_major_formatter(_numbers(power_x))

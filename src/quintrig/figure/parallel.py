@@ -27,6 +27,9 @@ _SHOWN = (
     "area",
     "bending_energy",
     "thin_plate_energy",
+    "length",
+    "curvature_min",
+    "curvature_max",
 )
 _NAMES = {
     "alpha": r"$\alpha$",
@@ -36,16 +39,24 @@ _NAMES = {
     "area": "area",
     "bending_energy": "bending\nenergy",
     "thin_plate_energy": "thin-plate\nenergy",
+    "length": "length",
+    "curvature_min": "least\n$\\kappa$",
+    "curvature_max": "greatest\n$\\kappa$",
 }
 
 
 def parallel_coordinates(
-    rows: Mapping[str, FloatArray], parameters: Sequence[str], surface: Surface, *, best: str = "", unit: str = ""
+    rows: Mapping[str, FloatArray],
+    parameters: Sequence[str],
+    surface: Surface | None,
+    *,
+    best: str = "",
+    unit: str = "",
 ) -> Figure:
     """Return parallel coordinates of designs, coloured by the column ``best`` or else by the bending energy.
 
     ``rows`` holds columns (n,) by name, the varied ``parameters`` among them; ``surface`` is any of the designs, for
-    the side of the normal, and ``unit`` that of length. Of more than 2000 designs, evenly spaced ones of the given
+    the side of the normal, None for those of a curve, and ``unit`` that of length. Of more than 2000 designs, evenly spaced ones of the given
     order are drawn, and the title says so. Raises ValueError where there are no designs.
     """
     total = len(next(iter(rows.values())))
@@ -54,6 +65,10 @@ def parallel_coordinates(
     chosen = np.unique(np.linspace(0, total - 1, min(total, _MOST)).astype(int))
     colour = best or "bending_energy"
     shown = dict.fromkeys((*_SHOWN, colour))
+
+    def measure(name: str) -> str:
+        return column_unit(name, unit, surface is None)
+
     names = [*parameters, *(name for name in shown if name in rows and name not in parameters)]
     heights: list[FloatArray] = []
     figure = Picture(figsize=(1.0 + 1.0 * len(names), 4.6))
@@ -68,7 +83,7 @@ def parallel_coordinates(
         for y, value, side in ((0.0, low, "top"), (1.0, high, "bottom")):
             offset = -0.02 if side == "top" else 0.02
             axes.text(place, y + offset, number_text(value, power), ha="center", va=side, fontsize=7.5, color=INK)
-        axes.text(place, 1.11, _label(name, unit, power), ha="center", va="bottom", fontsize=8.5, color=INK)
+        axes.text(place, 1.11, _label(name, measure(name), power), ha="center", va="bottom", fontsize=8.5, color=INK)
     lines = np.stack(
         [np.tile(np.arange(len(names), dtype=float), (len(chosen), 1)), np.stack(heights, axis=1)], axis=-1
     )
@@ -83,7 +98,7 @@ def parallel_coordinates(
     )
     axes.set(xlim=(-0.3, len(names) - 0.7), ylim=(-0.02, 1.02))
     axes.axis("off")
-    _colour_key(page, colour, rows[colour][chosen], unit)
+    _colour_key(page, colour, rows[colour][chosen], measure(colour))
     page.text(0.06, 0.955, _title(total, len(chosen), int((~whole).sum())), fontsize=11, color=INK, va="center")
     page.text(0.06, 0.045, _note(surface, unit), fontsize=8, color=INK, va="center")
     return figure
@@ -110,7 +125,7 @@ def _label(name: str, unit: str, power: int) -> str:
         text = f"{ {'min': 'least', 'max': 'greatest', 'mean': 'mean'}[what] }\n${BY_KEY[key].latex}$"
     else:
         text = _NAMES.get(name, name.replace("_", " "))
-    measure = with_unit("", column_unit(name, unit), power).strip()
+    measure = with_unit("", unit, power).strip()
     return f"{text}\n{measure}" if measure else text
 
 
@@ -131,7 +146,9 @@ def _title(total: int, drawn: int, left_out: int) -> str:
     return text + (f"; {left_out:,} with an infinite or undefined value left out" if left_out else "")
 
 
-def _note(surface: Surface, unit: str) -> str:
-    normal = normal_note(surface)
+def _note(surface: Surface | None, unit: str) -> str:
     lengths = f"lengths in {plain(unit)}" if unit else "no unit of length given"
+    if surface is None:
+        return f"Curvature is positive where a plane curve turns left; {lengths}"
+    normal = normal_note(surface)
     return f"{normal[0].upper()}{normal[1:]}, which gives $H$ its sign; {lengths}"

@@ -9,16 +9,18 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from quintrig.analysis.sample import Sample
+from quintrig.figure.along import curvature_plot, torsion_plot
 from quintrig.figure.beside import projections
 from quintrig.figure.camera import ISO, VIEWS, View
-from quintrig.figure.curve import curvature_plot, plane_curves, space_curves
+from quintrig.figure.curve import plane_curves
 from quintrig.figure.field import Field, common_limits, facet_fields, levels_of, natural_scale
 from quintrig.figure.flat import draw_map, map_axes, map_fields
 from quintrig.figure.legend import draw_key, key_width
 from quintrig.figure.save import save as write
-from quintrig.figure.scene import Mark, Scene
+from quintrig.figure.scene import Mark, Scene, Trace
 from quintrig.figure.sheet import sheet
 from quintrig.figure.space import draw_space
+from quintrig.figure.space_curves import curve_traces, space_curves
 from quintrig.figure.style import Style, changed, inches, style_named
 from quintrig.figure.whole import flat_map, map_panels, panels, space_picture
 from quintrig.geometry.curve import Curve
@@ -34,7 +36,7 @@ from quintrig.support.tolerance import SAME_COLOUR
 Subject = Surface | Patch | Model | Curve | Sample | Sequence[Curve]
 ViewName = str | tuple[float, float]
 
-CURVE_PICTURES = ("curve", "comb", "hull", "curvature")
+CURVE_PICTURES = ("curve", "comb", "hull", "curvature", "torsion")
 """What is drawn of curves."""
 
 
@@ -74,7 +76,8 @@ def plot(
     """Return a picture of a surface, patch, model, curve, several curves or a sample, as a matplotlib figure.
 
     ``quantity`` is a key or symbol of the table, several for pictures side by side, "surface" for the plain one; for
-    curves "curve", "comb", "hull" or "curvature". ``view`` is iso, side, back, top, all, flat (a map over u and v) or
+    curves "curve", "comb", "hull", "curvature" or "torsion", the last two over arc length where the curves go on end to
+    end. ``view`` is iso, side, back, top, all, flat (a map over u and v) or
     (azimuth, elevation) in degrees. ``net`` draws the control net, ``lines`` so many parameter lines each way, ``at``
     marks parameters. ``unit`` and ``heading`` are those of a model where it is one. ``style`` is "standard", "journal"
     or a ``Style``, of which title, caption, limits, percentiles, colours, levels, font and size (points) change what
@@ -96,7 +99,7 @@ def plot(
     page = _page(subject, heading, unit, chosen, None if width is None else inches(width))
     if isinstance(subject, Sample):
         figure = _of_sample(subject, names, page, axes)
-    elif isinstance(subject, Surface | Patch) or (isinstance(subject, Model) and not subject.curves):
+    elif isinstance(subject, Surface | Patch) or (isinstance(subject, Model) and subject.patches):
         surfaces, keys = _surfaces(subject), read_quantities(names)
         scene = Scene(
             read_view(view, ("all", "flat")),
@@ -104,6 +107,7 @@ def plot(
             isolines=lines,
             marks=_marks(at),
             normal=None in keys and view != "all",
+            traces=_beside(subject) if view != "flat" else (),
         )
         if axes is not None:
             figure = _on_axes(axes, surfaces, keys, scene, view, page)
@@ -160,6 +164,12 @@ def _surfaces(subject: Surface | Patch | Model) -> list[Surface]:
     if isinstance(subject, Surface):
         return [subject]
     return [patch.surface for patch in (subject.patches if isinstance(subject, Model) else (subject,))]
+
+
+def _beside(subject: Subject) -> tuple[Trace, ...]:
+    """Return what is drawn of the curves that a model has beside its surfaces."""
+    curves = subject.curves if isinstance(subject, Model) else ()
+    return tuple(curve_traces([one.curve for one in curves], [one.name for one in curves]))
 
 
 def _marks(at: Sequence[tuple[float, float]]) -> tuple[Mark, ...]:
@@ -257,11 +267,9 @@ def _of_curves(subject: Curve | Sequence[Curve] | Model, names: Sequence[str], p
         found = ",".join(names)[:40]
         raise ArgumentError(f"expected, for curves, one of {', '.join(CURVE_PICTURES)}, got {found!r}", "quantity")
     width, title, unit, style = page.width or 5.0, page.heading, page.unit, page.style
-    if what == "curvature":
-        return curvature_plot(curves, labels, title=title, unit=unit, width=width, style=style)
-    if all(curve.points.shape[1] == 2 for curve in curves):
-        hull, comb = what == "hull", what == "comb"
-        return plane_curves(curves, labels, hull=hull, comb=comb, title=title, unit=unit, width=width, style=style)
-    if what != "curve":
-        raise ArgumentError(f"expected curve or curvature for curves in space, got {what!r}", "quantity")
-    return space_curves(curves, labels, title=title, unit=unit, width=width, style=style)
+    if what in ("curvature", "torsion"):
+        along = curvature_plot if what == "curvature" else torsion_plot
+        return along(curves, labels, title=title, unit=unit, width=width, style=style)
+    draw = plane_curves if all(curve.points.shape[1] == 2 for curve in curves) else space_curves
+    hull, comb = what == "hull", what == "comb"
+    return draw(curves, labels, hull=hull, comb=comb, title=title, unit=unit, width=width, style=style)

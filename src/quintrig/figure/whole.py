@@ -29,10 +29,11 @@ def space_picture(
     thresholds: Thresholds | None = None,
     width: float = 6.4,
     style: Style = STANDARD,
+    remark: str = "",
 ) -> Figure:
     """Return one picture in space of a surface, or of several patches, coloured by a quantity or plain.
 
-    On a plain one, the labels of the scene's traces are listed below.
+    On a plain one, the labels of the scene's traces are listed below; ``remark`` ends the note.
     """
     width = width / style.factor
     patches = several(surfaces)
@@ -46,6 +47,7 @@ def space_picture(
     box = bounds(patches, scene)
     panel = panel_size(scene.view, *box, width - 0.2 - (key_size if place == "right" else 0.0), scene.frame)
     text = note(patches, fields, unit, thresholds, share_outside(patches, box), zeros=scene.zeros)
+    text = ". ".join(part for part in (text, remark) if part)
     page = sheet(1, panel, title=title, note=text, key=place, key_size=key_size, style=style)
     draw_space(
         page.panels[0].axes(),

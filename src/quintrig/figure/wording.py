@@ -118,6 +118,7 @@ def note(
         parts.append(lines)
     text = "; ".join(parts)
     warnings = [regression_note(surface) for surface in surfaces]
+    warnings += dict.fromkeys(line.rstrip(".") for surface in surfaces for line in surface.caveats)
     points = [point for surface in surfaces if (point := single_point(surface)) is not None]
     if points:
         whose = "The surface is" if len(surfaces) == 1 else f"{len(points)} of {len(surfaces)} surfaces are"

@@ -70,6 +70,11 @@ class Curve(Queries, Pickled):
             raise ValueError(f"alpha, zeta: this basis has {', '.join(names)}; give their values as shape=[...]")
         return families((choice,), (points,), ("points",), shape, self.unchecked_shape)[0]
 
+    @property
+    def caveats(self) -> tuple[str, ...]:
+        """What a reader must be warned of, of the basis: one sentence each."""
+        return tuple(line.replace("the surface", "the curve") for line in self.functions.caveats)
+
     def __call__(self, t: ArrayLike) -> FloatArray:
         """Return points, shape (*t.shape, 2 or 3), length¹; ValueError for t outside [0, 1]."""
         return self.derivatives(t, 0)[0]

@@ -6,7 +6,7 @@ from typing import cast
 
 import numpy as np
 
-from quintrig.basis.bernstein import Bernstein
+from quintrig.basis.rational import NotRationalError, TangentMap
 from quintrig.geometry.curve import Curve
 from quintrig.support.arrays import FloatArray, number
 
@@ -25,14 +25,17 @@ class Pieces:
 def split_curve(curve: Curve, t: float) -> Pieces:
     """Return the two curves that ``curve`` is made of before and after ``t``.
 
-    Exact, with error 0, in the Bernstein basis (de Casteljau). The trigonometric space holds no part of its own curves:
-    there the pieces are fitted by least squares with the ends kept, and the error says how far they are from the curve.
+    Exact, with error 0, where the functions span the polynomials of a degree, as Bernstein's do (de Casteljau). The
+    trigonometric space holds no part of its own curves: there, and in others, the pieces are fitted by least squares with the ends kept, and the error says how far they are from the curve.
     Raises ValueError for t outside (0, 1).
     """
     if not 0.0 < number(t, "t") < 1.0:
         raise ValueError(f"t: expected a number between 0 and 1, found {t:g}")
-    if isinstance(curve.functions, Bernstein):
-        return Pieces(tuple(replace(curve, points=points) for points in _casteljau(curve.points, t)), 0.0)
+    change = _polynomial(curve)
+    if change is not None:
+        parts = _casteljau(change @ curve.points, t)
+        kept = [np.linalg.solve(change, part) for part in parts]
+        return Pieces(tuple(replace(curve, points=points) for points in kept), 0.0)
     pieces = [_fitted(curve, low, high) for low, high in ((0.0, t), (t, 1.0))]
     return Pieces(tuple(piece for piece, _ in pieces), max(error for _, error in pieces))
 
@@ -73,6 +76,18 @@ def offset_curve(curve: Curve, distance: float, tolerance: float | None = None) 
             done.append(piece)
             error = max(error, miss)
     return Pieces(tuple(done), error)
+
+
+def _polynomial(curve: Curve) -> FloatArray | None:
+    """Return the Bernstein coefficients of the functions where they span all polynomials of their degree, else None."""
+    try:
+        form = curve.functions.rational()
+    except NotRationalError:
+        return None
+    square = form.coefficients.shape[0] == form.coefficients.shape[1]
+    if form.map != TangentMap() or not square or form.degree != len(form.weights) - 1 or np.ptp(form.weights) > 0.0:
+        return None
+    return form.coefficients if np.linalg.cond(form.coefficients) < 1e8 else None
 
 
 def _casteljau(points: FloatArray, t: float) -> tuple[FloatArray, FloatArray]:

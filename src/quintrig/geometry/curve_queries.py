@@ -105,15 +105,22 @@ class Queries(Measures):
         """
         if self._straight():
             return np.empty(0)
-        found = roots(self._bend_slope)
+        # On an arc of constant curvature only rounding is left, whose signs are no extremes.
+        noise = 1e-13 * float(self._bend_slope(np.linspace(0.0, 1.0, 513))[1].max())
+
+        def slope(t: FloatArray) -> FloatArray:
+            values = self._bend_slope(t)[0]
+            return np.where(np.abs(values) <= noise, 0.0, values)
+
+        found = roots(slope)
         return found[(found > 1e-9) & (found < 1.0 - 1e-9)]
 
     def _turn(self, t: FloatArray) -> FloatArray:
         _, first, second = self.hodograph(t, 2)
         return first[..., 0] * second[..., 1] - first[..., 1] * second[..., 0]
 
-    def _bend_slope(self, t: FloatArray) -> FloatArray:
-        """Return |z'|⁵ dκ/dt, in space |z' x z''| |z'|⁵ dκ/dt: they vanish where κ is extreme."""
+    def _bend_slope(self, t: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Return |z'|⁵ dκ/dt, in space |z' x z''| |z'|⁵ dκ/dt, which vanish where κ is extreme, and what they are of."""
         _, first, second, third = self.derivatives(t, 3)
         speed, along = (first**2).sum(axis=-1), (first * second).sum(axis=-1)
         if self.points.shape[1] == 2:
@@ -125,8 +132,7 @@ class Queries(Measures):
             cross, slope = np.cross(first, second), np.cross(first, third)
             left, right = (cross * slope).sum(axis=-1) * speed, 3.0 * (cross**2).sum(axis=-1) * along
             result, scale = left - right, np.abs(left) + np.abs(right)
-        # On an arc of constant curvature only rounding is left, whose signs are no extremes.
-        return np.where(np.abs(result) <= 1e-13 * scale.max(initial=0.0), 0.0, result)
+        return result, scale
 
     def _straight(self) -> bool:
         """Whether the control points lie on one line."""

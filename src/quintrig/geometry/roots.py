@@ -70,6 +70,9 @@ def _touching(at: Callable[[float], float], low: float, high: float, sign: float
 def _root(at: Callable[[float], float], low: float, high: float) -> float:
     from scipy import optimize
 
+    ends = at(low), at(high)
+    if ends[0] * ends[1] >= 0.0:  # one of them is zero, or rounding of it with another sign than in the samples
+        return low if abs(ends[0]) <= abs(ends[1]) else high
     return float(cast(Any, optimize).brentq(at, low, high, xtol=1e-16, rtol=8.9e-16))
 
 

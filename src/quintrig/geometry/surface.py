@@ -204,6 +204,12 @@ class Surface(Pickled, Handed):
         """+1 when the normal points along S_u x S_v, -1 when flipped."""
         return -1.0 if self.flip else 1.0
 
+    @property
+    def caveats(self) -> tuple[str, ...]:
+        """What a reader must be warned of, of the functions that it is built on: one sentence each."""
+        families = [self.rows.functions, self.blend] if isinstance(self.rows, Net) else [self.blend]
+        return tuple(dict.fromkeys(line for one in families for line in one.caveats))
+
     @cached_property
     def size(self) -> float:
         """Diagonal of the bounding box of 17 x 17 points of the surface, length¹: the scale of all thresholds.

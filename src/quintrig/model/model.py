@@ -5,6 +5,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, TypeVar, cast
 
+from quintrig.basis.library import Entry
+from quintrig.basis.registry import bases
 from quintrig.geometry.curve import Curve
 from quintrig.geometry.surface import Surface
 from quintrig.model.explain import HEADER, spell
@@ -12,6 +14,7 @@ from quintrig.model.held import Held, held
 from quintrig.model.kinds.curve import CurveKind
 from quintrig.model.kinds.recognise import Bare
 from quintrig.model.kinds.registry import kinds
+from quintrig.model.own_bases import table_of
 from quintrig.model.patch import NamedCurve, Patch, curve_of, patch_of, with_bases
 from quintrig.model.reading import read_text
 from quintrig.support.display import mime_bundle
@@ -40,7 +43,7 @@ Part = TypeVar("Part", Patch, NamedCurve)
 
 @dataclass(frozen=True, eq=False)
 class Model(Handed):
-    """A model file: name, unit of length (empty: plain numbers), patches with sides held together, or curves."""
+    """A model file: name, unit of length (empty: plain numbers), patches with sides held together, and curves."""
 
     name: str
     unit: str
@@ -86,8 +89,8 @@ class Model(Handed):
         return parts[known.index(name)]
 
     def refuse_curves(self) -> None:
-        """Raise ModelError for a model of curves, which has no surface."""
-        if self.curves:
+        """Raise ModelError for a model of curves alone, which has no surface."""
+        if not self.patches:
             raise ModelError(
                 f"model {self.name!r}: expected a surface, found curves; a swept or ruled model makes a surface of them"
             )
@@ -106,8 +109,12 @@ class Model(Handed):
         return call("joins", self, **limits)
 
     def with_shape(self, shape: Sequence[float]) -> "Model":
-        """Return the model with every patch's shape parameters replaced."""
-        self.refuse_curves()
+        """Return the model with every patch's shape parameters replaced, or every curve's where there are curves alone.
+
+        Raises ModelError where they do not fit.
+        """
+        if not self.patches:
+            return replace(self, curves=tuple(one.with_shape(shape) for one in self.curves))
         return replace(self, patches=tuple(patch.with_shape(shape) for patch in self.patches))._carried()
 
     def with_patch(self, patch: Patch) -> "Model":
@@ -121,8 +128,8 @@ class Model(Handed):
 
     @staticmethod
     def of_curves(curves: Sequence[Curve], name: str = "curves", unit: str = "") -> "Model":
-        """Return a model of quintic trigonometric or Bernstein curves, called curve 1, curve 2, ...; ModelError."""
-        tables = [
+        """Return a model of curves in any basis, called curve 1, curve 2, ...; ModelError where it cannot hold them."""
+        tables: list[dict[str, Any]] = [
             {
                 "kind": "curve",
                 "name": f"curve {index}",
@@ -133,6 +140,10 @@ class Model(Handed):
             }
             for index, curve in enumerate(curves, 1)
         ]
+        for curve, table in zip(curves, tables, strict=True):
+            if table["basis"] not in bases() and isinstance(curve.basis, Entry):  # one of a model's own
+                own = curve.basis.basis(len(curve.points))
+                table |= {"bases": {own.name: table_of(own)}, "unchecked_basis": not own.partition}
         return Model.from_dict({"name": name, "patch": tables} | ({"unit": unit} if unit else {}))
 
     @staticmethod
@@ -155,14 +166,12 @@ class Model(Handed):
         name = _text(data.pop("name", ""), "name")
         tables = data.pop("join", None)
         parts = _parts(data, name, folder)
-        if any(keys.get("kind") == "curve" for _, keys in parts):
-            if tables is not None:
-                raise ModelError("join: holds sides of surfaces together; curves are joined by join_curves")
-            curves = _curves(parts, folder)
-            return Model(name or curves[0].name, unit, (), curves=curves)
-        patches = tuple(patch_of(keys, called, folder) for called, keys in parts)
+        curves = _curves([part for part in parts if part[1].get("kind") == "curve"], folder)
+        patches = tuple(patch_of(keys, called, folder) for called, keys in parts if keys.get("kind") != "curve")
+        if tables is not None and not patches:
+            raise ModelError("join: holds sides of surfaces together; curves are joined by join_curves")
         rules = () if tables is None else held(tables, tuple(patch.name for patch in patches))
-        return Model(name or patches[0].name, unit, patches, rules)._carried()
+        return Model(name or parts[0][0], unit, patches, rules, curves)._carried()
 
     def to_dict(self) -> dict[str, Any]:
         """Return the keys of a model file that gives this model back; keys at their default are left out.
@@ -178,7 +187,7 @@ class Model(Handed):
         header: dict[str, Any] = {"schema": SCHEMA_VERSION, "name": self.name}
         if self.unit:
             header["unit"] = self.unit
-        parts = self.patches or self.curves
+        parts: tuple[Patch | NamedCurve, ...] = (*self.patches, *self.curves)
         dumps = [
             {
                 "kind": getattr(part.definition, "kind", ""),
@@ -248,12 +257,7 @@ def _parts(data: dict[str, Any], name: str, folder: Path | None) -> list[tuple[s
 
 
 def _curves(parts: list[tuple[str, dict[str, Any]]], folder: Path | None) -> tuple[NamedCurve, ...]:
-    """Return the curves of a model of curves; ModelError where there are surfaces, or curves of both dimensions."""
-    for called, keys in parts:
-        if keys.get("kind") != "curve":
-            raise ModelError(
-                f'patch "{called}": expected a curve, as the others are; keep surfaces in a model of their own'
-            )
+    """Return the curves of a model; ModelError where some are in the plane and some in space."""
     curves = tuple(curve_of(keys, called, folder) for called, keys in parts)
     if len({one.curve.points.shape[1] for one in curves}) > 1:
         raise ModelError("points: expected curves all in the plane or all in space, found both in one model")

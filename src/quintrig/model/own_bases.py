@@ -40,6 +40,7 @@ def table_of(basis: Basis) -> dict[str, Any]:
     """Return the table that gives a basis back."""
     ranges = {one.name: [one.low, one.high, one.start] for one in basis.parameters}
     parts = {"functions": list(basis.functions), "parameters": ranges, "source": basis.source}
+    parts |= {"claims": list(basis.claims)}
     return {key: part for key, part in parts.items() if part}
 
 

@@ -98,10 +98,35 @@ class NamedCurve:
     curve: Curve
 
     @property
+    def kind(self) -> str:
+        """The kind: ``curve``."""
+        return self.definition.kind
+
+    @property
+    def shape(self) -> tuple[float, ...]:
+        """Shape parameters, empty where the basis has none."""
+        return self.definition.shape_values
+
+    @property
     def label(self) -> str:
         """The shape parameters that act, by their letters, or else what is said of the basis."""
         values = zip(self.definition.shape_symbols, self.definition.acting.values(), strict=True)
         return ", ".join(f"{name} = {value:g}" for name, value in values) or self.definition.basis_words
+
+    def with_shape(self, shape: Sequence[float]) -> "NamedCurve":
+        """Return the same curve with other shape parameters; ModelError where it has none or they do not fit."""
+        if not self.definition.acting:
+            raise ModelError(f'patch "{self.name}": a curve in this basis has no shape parameters to vary')
+        return curve_of({**self.definition.model_dump(), "shape": list(shape)}, self.name, None)
+
+    def with_parameters(self, values: Mapping[str, float]) -> "NamedCurve":
+        """Return the same curve with some shape parameters replaced, by name; ModelError where it has none such."""
+        known = self.definition.acting
+        for name in values:
+            if name not in known:
+                has = f"it has {', '.join(known)}" if known else "it has none"
+                raise ModelError(f'patch "{self.name}": a curve has no parameter {name!r}; {has}')
+        return self.with_shape([values.get(name, value) for name, value in known.items()])
 
 
 def curve_of(keys: dict[str, Any], name: str, folder: Path | None) -> NamedCurve:

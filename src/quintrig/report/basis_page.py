@@ -6,9 +6,10 @@ import numpy as np
 from markupsafe import Markup, escape
 
 from quintrig.analysis.basis_checks import PROPERTIES, BasisReport
+from quintrig.analysis.basis_ends import claim_words
 from quintrig.basis.formulas import Basis
 from quintrig.basis.functions import Functions
-from quintrig.basis.grammar import Binary, Call, Name, Node, Number, Power
+from quintrig.basis.grammar import Binary, Call, Name, Node, Number, Power, parse
 from quintrig.figure.curve import basis_functions, plane_curves
 from quintrig.figure.save import to_svg_text
 from quintrig.geometry.curve import Curve
@@ -108,6 +109,18 @@ def _effect(basis: Basis) -> Markup:
     )
 
 
+def _derivative(basis: Basis, report: BasisReport, end: str, order: int) -> Markup:
+    """Return an end derivative as MathML, or in words where it has no formula in the grammar of bases."""
+    words = report.derivative(end, order)
+    left = f"\\mathbf{{z}}{order * chr(39)}({end})"
+    points = [f"P{i}" for i in range(basis.size)]
+    try:
+        right = latex(parse(words, [*(one.name for one in basis.parameters), *points]))
+    except ValueError:
+        return Markup("derivative {} at t = {}: {}").format(order, end, words)
+    return mathml(f"{left} = {right}", block=True)
+
+
 def _svg(text: str) -> str:
     return text[text.index("<svg") :]
 
@@ -142,10 +155,16 @@ def _one(basis: Basis, report: BasisReport) -> Markup:
     for name, one in report.parameters.items():
         low, high = ("no end met" if end is None else f"{end:.4g}" for end in report.non_negative_range[name])
         rows.append(Markup("<li>{} in {}; non-negative from {} to {}</li>").format(name, one["range"], low, high))
-    for end, orders in report.end_derivatives.items():
-        for order, row in enumerate(orders[1:], 1):
-            terms = " ".join(f"{c:+.6g} P{i}" for i, c in enumerate(row) if abs(c) > 1e-9) or "0"
-            rows.append(Markup("<li>derivative {} at t = {}: {}</li>").format(order, end, terms))
+    for end in report.end_derivatives:
+        for order in range(1, 4):
+            rows.append(Markup("<li>{}</li>").format(_derivative(basis, report, end, order)))
+    for claim in report.claims:
+        told = "holds" if claim.finding.holds else claim_words(claim)
+        rows.append(
+            Markup("<li>claimed: {}: <span class='{}'>{}</span></li>").format(
+                claim.text, "yes" if claim.finding.holds else "no", told
+            )
+        )
     effect = _effect(basis)
     source = "\n".join(one + r" \\" for one in written)
     return (

@@ -8,7 +8,7 @@ from typing import Any, cast
 from markupsafe import Markup
 
 from quintrig.basis.formulas import Basis
-from quintrig.model.patch import Patch
+from quintrig.model.patch import NamedCurve, Patch
 from quintrig.report.mathml import mathml
 from quintrig.report.wording import digits_of
 
@@ -41,8 +41,8 @@ BASIS: tuple[str, ...] = (
 _OTHER = ("shape", "basis", "trim", "knots", "weights", "degrees")
 
 
-def formula(patch: Patch) -> Markup:
-    """Return the formula of a patch as MathML."""
+def formula(patch: Patch | NamedCurve) -> Markup:
+    """Return the formula of a patch or curve as MathML."""
     latex = patch.definition.formula
     if not latex:
         return Markup("")

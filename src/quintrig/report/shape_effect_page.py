@@ -10,8 +10,20 @@ from jinja2 import Environment, StrictUndefined
 from quintrig import __version__
 from quintrig.analysis.table import Table
 from quintrig.exchange.tables import shown
-from quintrig.figure import ISO, Scene, View, comparison, map_comparison, to_png_bytes
+from quintrig.figure import (
+    ISO,
+    Scene,
+    View,
+    comparison,
+    curvature_plot,
+    map_comparison,
+    plane_curves,
+    space_curves,
+    to_png_bytes,
+    torsion_plot,
+)
 from quintrig.quantities.table import quantity
+from quintrig.shaping.curve_effect import CurveVariant
 from quintrig.shaping.shape_effect import Variant
 
 _DPI = 150
@@ -62,18 +74,36 @@ def pictures(
     return tuple(drawn)
 
 
-def page(found: Sequence[Variant], table: Table, drawn: Sequence[Picture]) -> str:
+def curve_pictures(found: Sequence[CurveVariant], unit: str = "", name: str = "") -> tuple[Picture, ...]:
+    """Return the curves in their control polygon, then curvature, and torsion in space, each in one picture."""
+    curves, labels = [one.curve.curve for one in found], [one.label for one in found]
+    plane = found[0].summary.plane
+    start = f"{name}: " if name else ""
+    drawn: list[Picture] = []
+    for what, draw in (
+        ("curve", plane_curves if plane else space_curves),
+        ("curvature", curvature_plot),
+        *([] if plane else [("torsion", torsion_plot)]),
+    ):
+        figure = draw(curves, labels, title=f"{start}{what}", unit=unit, width=6.4)
+        drawn.append(Picture(f"{what}.png", f"{start}{what}", to_png_bytes(figure, _DPI)))
+    return tuple(drawn)
+
+
+def page(found: Sequence[Variant] | Sequence[CurveVariant], table: Table, drawn: Sequence[Picture]) -> str:
     """Return the page as HTML with its pictures inside: nothing beside it and no network is needed."""
     environment = Environment(autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
     template = environment.from_string((files("quintrig.report.templates") / "shape_effect.html.j2").read_text("utf-8"))
     lines = [(one.symbol, one.unit, [shown(value) for value in one.rounded]) for one in table.columns[table.lead :]]
-    names = f"({', '.join(found[0].patch.definition.shape_symbols)})"
+    first = found[0]
+    part = first.curve if isinstance(first, CurveVariant) else first.patch
+    names = f"({', '.join(part.definition.shape_symbols)})"
     return template.render(
         table=table,
         found=found,
         lines=lines,
         names=names,
-        kind=found[0].patch.kind,
+        kind="curve" if part.kind == "curve" else f"{part.kind} surface",
         pictures=drawn,
         version=__version__,
     )

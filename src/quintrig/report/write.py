@@ -1,7 +1,7 @@
 """The report on a model, written as one HTML file."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import count
 from pathlib import Path
 from typing import Any
@@ -16,8 +16,8 @@ from quintrig.multipatch.joins import Joins
 from quintrig.quantities.classify import Thresholds
 from quintrig.quantities.signs import SIGN_TABLES
 from quintrig.quantities.table import QUANTITIES, quantity
+from quintrig.report import curves, kinds, tables
 from quintrig.report import facts as known
-from quintrig.report import kinds, tables
 from quintrig.report.facts import Facts
 from quintrig.report.findings import findings, methods
 from quintrig.report.mathml import mathml
@@ -58,7 +58,6 @@ def write_report(
     ``grid`` points a side are classified, compared and searched for extremes. The page is written whole or not at all;
     QuintrigError where it cannot be written, ValueError for fewer than 2 points.
     """
-    model.refuse_curves()
     target = _target(out)
     source = to_toml(model.to_dict())  # before all the work where it cannot be written
     thresholds = thresholds or Thresholds()
@@ -66,6 +65,7 @@ def write_report(
     several = len(model.patches) > 1
     total = 1 + (4 if several else 0)
     joins: Joins | None = model.joins() if several else None
+    total += curves.picture_count(model)
     total += sum(known.steps(patch, detailed) + picture_count(patch, detailed) for patch in model.patches)
     step = _steps(progress, total)
     chapters: list[Chapter] = []
@@ -81,8 +81,13 @@ def write_report(
     for picture in overview(model, joins) if joins is not None else ():
         step(f"picture {picture.name}")
         together[picture.name] = render(picture)
+    along = curves.curve_chapters(model, step)
+    if not model.patches:
+        every = curves.together(model, step)
+        step("writing the page")
+        return write_whole(target, _curve_page(model, source, along, every))
     step("writing the page")
-    return write_whole(target, _page(model, source, chapters, together, joins, grid, thresholds))
+    return write_whole(target, _page(model, source, chapters, together, joins, grid, thresholds, along))
 
 
 def _steps(progress: Progress | None, total: int) -> Callable[[str], None]:
@@ -106,6 +111,7 @@ def _page(
     joins: Joins | None,
     grid: int,
     thresholds: Thresholds,
+    along: tuple[curves.CurveChapter, ...],
 ) -> str:
     live = len(source) <= _LARGEST_VIEW
     return (
@@ -114,6 +120,8 @@ def _page(
         .render(
             model=model,
             chapters=chapters,
+            curves=along,
+            surfaces=True,
             together=together,
             joins=joins,
             grid=grid,
@@ -124,10 +132,28 @@ def _page(
             signs=SIGN_TABLES,
             basis=[mathml(latex) for latex in kinds.BASIS],
             other_bases=kinds.other_bases(model.patches),
-            viewer=Markup(studio.viewer(model)) if live else "",
+            viewer=Markup(studio.viewer(replace(model, curves=()))) if live else "",
             code=Markup(studio.code()) if live else "",
             policy=studio.policy(),
         )
+    )
+
+
+def _curve_page(
+    model: Model,
+    source: str,
+    along: tuple[curves.CurveChapter, ...],
+    every: tuple[tuple[str, Image], ...],
+) -> str:
+    """Return the page of a model of curves alone."""
+    page = _environment().get_template("curve_page.html.j2")
+    return page.render(
+        model=model,
+        curves=along,
+        all_curves=every,
+        bases=curves.bases_of(model.curves),
+        source=source if len(source) <= _LONGEST else "",
+        version=__version__,
     )
 
 

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TypeVar
 
 from quintrig.analysis.extremes import Extreme
 from quintrig.analysis.integrate import INTEGRALS
@@ -10,10 +11,12 @@ from quintrig.analysis.quadrature import Integral
 from quintrig.analysis.summary import Summary, summarise
 from quintrig.analysis.table import Column, Table
 from quintrig.basis.formulas import Parameter
-from quintrig.model.patch import Patch
+from quintrig.model.patch import NamedCurve, Patch
 from quintrig.quantities.table import BY_KEY
 from quintrig.support.errors import ModelError
 from quintrig.support.tolerance import typical_rounding
+
+Part = TypeVar("Part", Patch, NamedCurve)
 
 SHAPE_SETS: dict[int, tuple[tuple[float, ...], ...]] = {
     4: ((1, 1, 1, 1), (1, 1, -3, -3), (1, -3, 1, -3), (1, 0, -2, -3)),
@@ -48,7 +51,7 @@ class Variant:
         return f"{self.parameters} {AS_GIVEN}" if self.own else self.parameters
 
 
-def standard_shapes(patch: Patch) -> tuple[tuple[float, ...], ...]:
+def standard_shapes(patch: Patch | NamedCurve) -> tuple[tuple[float, ...], ...]:
     """Return the thesis's sets of shape parameters for this kind of surface; ModelError where it has none."""
     _check(patch)
     if patch.definition.standard:
@@ -65,8 +68,8 @@ def _ends(ranges: Sequence[Parameter]) -> tuple[tuple[float, ...], ...]:
     return tuple(dict.fromkeys(map(tuple, (high, low, *mixed))))
 
 
-def beside_own(patch: Patch, shapes: Sequence[Sequence[float]]) -> tuple[Patch, ...]:
-    """Return the patch as it is, then with each of several other sets of shape parameters.
+def beside_own(patch: Part, shapes: Sequence[Sequence[float]]) -> tuple[Part, ...]:
+    """Return the patch or curve as it is, then with each of several other sets of shape parameters.
 
     Raises ModelError where they do not fit or act.
     """
@@ -136,7 +139,7 @@ def _notes(found: Sequence[Variant]) -> tuple[str, ...]:
     return (*notes, *(f"{label}: {line}" for label, line in told))
 
 
-def _check(patch: Patch) -> None:
+def _check(patch: Patch | NamedCurve) -> None:
     """Refuse a patch on which shape parameters do not act."""
     if patch.definition.classical:
         raise ModelError(

@@ -18,6 +18,7 @@ EXTRAS = {
     "build123d": ("tools", "build123d"),
     "compas": ("tools", "COMPAS"),
     "trimesh": ("tools", "trimesh"),
+    "sympy": ("formulas", "SymPy"),
 }
 """The extra of this package and the name of the project, by Python module."""
 

@@ -1,18 +1,21 @@
 """One part of a sweep: a run of designs and their summaries, computed anywhere from plain data."""
 
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from quintrig.analysis.edge_layers import layers_at_edges
+from quintrig.analysis.integrate import orientation
 from quintrig.model.model import Model
-from quintrig.model.patch import Patch
+from quintrig.model.patch import NamedCurve, Patch
 from quintrig.quantities.classify import Thresholds
 from quintrig.quantities.table import BY_KEY
 from quintrig.support.arrays import FloatArray
 from quintrig.support.errors import ArgumentError, ModelError
 from quintrig.sweep.affine import amounts_above, is_affine, weights
+from quintrig.sweep.curves import CURVE_COLUMNS, curve_summary
 from quintrig.sweep.measure import affine_measure, single_measure
 from quintrig.sweep.nodes import WIDEST
 from quintrig.sweep.space import DesignSpace, check
@@ -36,11 +39,39 @@ class Task:
         """Check once, at birth."""
         if not 4 <= self.points <= LARGEST_SIDE:
             raise ArgumentError(f"expected 4 to {LARGEST_SIDE} a side, got {self.points}", "points")
-        check(self.space, self.built())
+        check(self.space, self.varied())
+
+    def varied(self) -> Patch | NamedCurve:
+        """Return the patch or curve that is varied; ModelError where there is none of the name."""
+        model = Model.from_dict(self.model)
+        if not model.patches or self.patch in [one.name for one in model.curves]:
+            return model.curve(self.patch)
+        return model.patch(self.patch)
 
     def built(self) -> Patch:
-        """Return the patch that is varied."""
+        """Return the patch that is varied; ModelError where it is a curve."""
         return Model.from_dict(self.model).patch(self.patch)
+
+    @cached_property
+    def of_curve(self) -> bool:
+        """Whether the designs are those of a curve."""
+        return isinstance(self.varied(), NamedCurve)
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """The names of all columns: the varied parameters, then the summaries."""
+        return (*self.space.names, *(CURVE_COLUMNS if self.of_curve else COLUMNS))
+
+    @property
+    def side(self) -> str:
+        """What the signs of the columns go by, in words."""
+        if self.of_curve:
+            return "curvature is positive where a plane curve turns left"
+        return orientation(self.built().surface)
+
+    def unit_of(self, column: str) -> str:
+        """Return the unit of a column in text, such as 1/mm²; empty for a pure number or where the model has none."""
+        return column_unit(column, str(self.model.get("unit", "")), self.of_curve)
 
     def to_dict(self) -> dict[str, Any]:
         """Return plain data that tells this sweep from every other."""
@@ -59,8 +90,11 @@ def summaries(task: Task, start: int, stop: int) -> FloatArray:
 
     Each row depends on its design alone, so that parts computed anywhere, in any order, are the same to the last bit.
     """
-    patch = task.built()
     designs = task.space.designs(start, stop)
+    patch = task.varied()
+    if isinstance(patch, NamedCurve):
+        rows = [curve_summary(patch, dict(zip(task.space.names, one, strict=True))) for one in designs.tolist()]
+        return np.concatenate([designs, np.stack(rows)], axis=1)
     if is_affine(patch, task.space):
         measure = affine_measure(patch, task.space, designs, task.thresholds)
         still = amounts_above(weights(patch, task.space, designs), patch.kind == "ruled")
@@ -87,8 +121,11 @@ def columns(space: DesignSpace) -> tuple[str, ...]:
     return (*space.names, *COLUMNS)
 
 
-def column_unit(name: str, length: str) -> str:
+def column_unit(name: str, length: str, of_curve: bool = False) -> str:
     """Return the unit of a column in text, such as 1/mm²; empty for a pure number or where the model has no unit."""
+    if of_curve:
+        power = CURVE_COLUMNS.get(name, 0)
+        return "" if not (length and power) else length if power > 0 else f"1/{length}"
     key = name.rpartition("_")[0]
     if key in BY_KEY:
         return BY_KEY[key].unit(length)

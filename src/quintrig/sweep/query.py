@@ -9,8 +9,7 @@ import numpy as np
 from quintrig.support.arrays import FloatArray
 from quintrig.support.errors import QuintrigError, nearest
 from quintrig.support.extras import need
-from quintrig.sweep.part import columns
-from quintrig.sweep.space import DesignSpace
+from quintrig.sweep.part import Task
 from quintrig.sweep.store import Sweep
 
 if TYPE_CHECKING:
@@ -29,12 +28,12 @@ class Question:
     best: str = ""
     descending: bool = False
 
-    def check(self, space: DesignSpace) -> None:
+    def check(self, task: Task) -> None:
         """Raise QuintrigError for a condition that cannot be read or an unknown column, before anything is computed."""
         need("polars", "a sweep")
         import polars as pl
 
-        known = columns(space)
+        known = task.columns
         if self.best and self.best not in known:
             hint = nearest(self.best, known) or f"; known are {', '.join(known)}"
             raise QuintrigError(f"unknown column{hint}", "best", self.best)
@@ -68,7 +67,7 @@ def count(sweep: Sweep, question: Question) -> int:
     """Return how many designs meet the condition; QuintrigError as for ``select``."""
     import polars as pl
 
-    question.check(sweep.task.space)
+    question.check(sweep.task)
     unordered = Question(question.where)
     return int(_collected(sweep, unordered, lambda table: table.select(pl.len()))["len"][0])
 
@@ -80,12 +79,12 @@ def select(sweep: Sweep, question: Question, limit: int | None = None) -> dict[s
     cannot be read.
     """
     found = _collected(sweep, question, lambda table: table if limit is None else table.head(limit))
-    return {name: np.asarray(found[name].to_numpy(), dtype=np.float64) for name in columns(sweep.task.space)}
+    return {name: np.asarray(found[name].to_numpy(), dtype=np.float64) for name in sweep.task.columns}
 
 
 def _collected(sweep: Sweep, question: Question, last: "Callable[[pl.LazyFrame], pl.LazyFrame]") -> "pl.DataFrame":
     """Return the table that ``last`` makes of the rows asked for."""
-    question.check(sweep.task.space)
+    question.check(sweep.task)
     import polars as pl
 
     files = sweep.files()

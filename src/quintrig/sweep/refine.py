@@ -13,7 +13,6 @@ import numpy as np
 from quintrig.analysis.extremes import find_ends
 from quintrig.support.arrays import FloatArray
 from quintrig.support.errors import ModelError
-from quintrig.sweep.part import columns
 from quintrig.sweep.query import Question, select
 from quintrig.sweep.store import Sweep
 from quintrig.sweep.summarise import EXTREMES
@@ -56,7 +55,7 @@ def select_refined(sweep: Sweep, question: Question, limit: int) -> Refined:
         for row in range(start, tried):
             _refine(sweep, rows, row)
         met = _met(question, rows, tried)
-    shown = {name: np.asarray(met[name].to_numpy(), dtype=np.float64)[:limit] for name in columns(sweep.task.space)}
+    shown = {name: np.asarray(met[name].to_numpy(), dtype=np.float64)[:limit] for name in sweep.task.columns}
     return Refined(shown, tried - len(met), tried, tried == found)
 
 
@@ -68,7 +67,9 @@ def _met(question: Question, rows: dict[str, FloatArray], tried: int) -> "pl.Dat
 
 
 def _refine(sweep: Sweep, rows: dict[str, FloatArray], row: int) -> None:
-    """Write the refined extremes of one row; those without a bound, or without a value, stay."""
+    """Write the refined extremes of one row; those without a bound, or without a value, stay. A curve's are refined."""
+    if sweep.task.of_curve:
+        return
     values = {name: float(rows[name][row]) for name in sweep.task.space.names}
     try:
         surface = sweep.task.built().with_parameters(values).surface

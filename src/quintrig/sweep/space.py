@@ -6,7 +6,7 @@ from typing import Any, Literal, cast
 
 import numpy as np
 
-from quintrig.model.patch import Patch
+from quintrig.model.patch import NamedCurve, Patch
 from quintrig.support.arrays import FloatArray
 from quintrig.support.errors import ArgumentError, ModelError, nearest
 from quintrig.support.numerals import real, whole
@@ -156,7 +156,7 @@ class DesignSpace:
         )
 
 
-def check(space: DesignSpace, patch: Patch) -> None:
+def check(space: DesignSpace, patch: Patch | NamedCurve) -> None:
     """Raise ValueError where the patch has no such parameter, or an end of a range is no value for it."""
     known = patch.definition.parameters
     if not known:

@@ -12,14 +12,13 @@ from typing import Any, cast
 
 import numpy as np
 
-from quintrig.analysis.integrate import orientation
 from quintrig.quantities.classify import Thresholds
 from quintrig.support.arrays import FloatArray
 from quintrig.support.errors import QuintrigError
 from quintrig.support.extras import need
 from quintrig.support.files import open_regular, refuse_unwritable, require_utf8, write_first, write_whole
 from quintrig.support.parsing import parse
-from quintrig.sweep.part import Task, column_unit, columns
+from quintrig.sweep.part import Task
 from quintrig.sweep.space import DesignSpace
 
 PART = 8192
@@ -91,7 +90,7 @@ class Sweep:
         target = self._file(part)
         if _sound(target):
             return
-        names = columns(self.task.space)
+        names = self.task.columns
         # pyarrow carries no types.
         pa, pq = cast(Any, pyarrow), cast(Any, parquet)
         table = pa.table({name: np.ascontiguousarray(rows[:, i]) for i, name in enumerate(names)})
@@ -105,8 +104,8 @@ class Sweep:
     def _notes(self) -> dict[str, str]:
         """Return what the file says of its columns: units, the normal, the length unit of the model."""
         unit = str(self.task.model.get("unit", ""))
-        units = {f"unit of {name}": column_unit(name, unit) for name in columns(self.task.space)}
-        return units | {"normal": orientation(self.task.built().surface), "unit of length": unit, "sweep": self.mark}
+        units = {f"unit of {name}": self.task.unit_of(name) for name in self.task.columns}
+        return units | {"normal": self.task.side, "unit of length": unit, "sweep": self.mark}
 
     def _file(self, part: int) -> Path:
         return self.folder / f"part-{part:06d}.parquet"
@@ -231,7 +230,7 @@ def _damaged(place: Path, why: str = "") -> DamagedError:
 
 def _check_disk(folder: Path, task: Task) -> None:
     """Raise QuintrigError where the rows, uncompressed, would not fit the disk."""
-    needed = task.space.count * len(columns(task.space)) * 8
+    needed = task.space.count * len(task.columns) * 8
     place = folder.absolute()
     while not place.exists():
         place = place.parent

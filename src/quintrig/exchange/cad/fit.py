@@ -10,7 +10,8 @@ from quintrig.geometry.exact import ExactSurface
 from quintrig.geometry.surface import Surface
 from quintrig.support.arrays import FloatArray
 
-_MOST_SPANS = 256
+MOST_SPANS = 256
+"""Spans of a fit in one direction, at most."""
 
 
 @dataclass(frozen=True)
@@ -65,7 +66,7 @@ def fit(surface: Surface, options: FitOptions) -> Fit:
         deviation = _deviation(surface, form)
         if deviation <= tolerance:
             return Fit(form, deviation, tolerance, (spans[0], spans[1]))
-        if max(spans) * 2 > _MOST_SPANS:
+        if max(spans) * 2 > MOST_SPANS:
             raise ValueError(
                 f"the fit of degree {options.degree} deviates by {deviation:.3g} with {spans[0]} x {spans[1]} spans, "
                 f"more than {tolerance:.3g}; choose a larger tolerance or a higher degree"
@@ -77,11 +78,11 @@ def _spans_along(surface: Surface, axis: int, options: FitOptions, tolerance: fl
     """Return the number of spans that fits the curves along one direction."""
     across = np.linspace(0.0, 1.0, 17)
     spans = 1
-    while spans < _MOST_SPANS:
+    while spans < MOST_SPANS:
         basis = _basis(spans, options)
-        sites, fine = _sites(basis, 2), _sites(basis, 5)
+        sites, fine = fit_sites(basis, 2), fit_sites(basis, 5)
         points = _curves(surface, sites, across, axis)
-        found = basis.derivatives(fine, 0)[0] @ _solved(basis, sites, points.reshape(len(sites), -1))
+        found = basis.derivatives(fine, 0)[0] @ solved(basis, sites, points.reshape(len(sites), -1))
         if np.abs(found - _curves(surface, fine, across, axis).reshape(len(fine), -1)).max() <= tolerance:
             break
         spans *= 2
@@ -97,7 +98,7 @@ def _basis(spans: int, options: FitOptions) -> BSpline:
     return clamped(np.linspace(0.0, 1.0, spans + 1), options.degree, options.degree - options.smoothness)
 
 
-def _sites(basis: BSpline, density: int) -> FloatArray:
+def fit_sites(basis: BSpline, density: int) -> FloatArray:
     """Return parameters, the ends and ``density`` (degree + 1) Chebyshev points in every span."""
     count = density * (basis.degree + 1)
     local = 0.5 - 0.5 * np.cos(np.pi * (np.arange(count) + 0.5) / count)
@@ -106,7 +107,7 @@ def _sites(basis: BSpline, density: int) -> FloatArray:
     return np.concatenate([[0.0], inner, [1.0]])
 
 
-def _solved(basis: BSpline, sites: FloatArray, values: FloatArray) -> FloatArray:
+def solved(basis: BSpline, sites: FloatArray, values: FloatArray) -> FloatArray:
     """Return coefficients (n, k) nearest to values (sites, k), exact at both ends."""
     matrix = basis.derivatives(sites, 0)[0]
     ends = np.outer(matrix[:, 0], values[0]) + np.outer(matrix[:, -1], values[-1])
@@ -119,17 +120,17 @@ def _solved(basis: BSpline, sites: FloatArray, values: FloatArray) -> FloatArray
 
 def _fitted(surface: Surface, options: FitOptions, u_spans: int, v_spans: int) -> ExactSurface:
     u, v = _basis(u_spans, options), _basis(v_spans, options)
-    s, t = _sites(u, 2), _sites(v, 2)
+    s, t = fit_sites(u, 2), fit_sites(v, 2)
     points = surface(s[:, None], t[None, :])
-    half = _solved(u, s, points.reshape(len(s), -1)).reshape(u.size, len(t), 3)
-    whole = _solved(v, t, half.transpose(1, 0, 2).reshape(len(t), -1)).reshape(v.size, u.size, 3)
+    half = solved(u, s, points.reshape(len(s), -1)).reshape(u.size, len(t), 3)
+    whole = solved(v, t, half.transpose(1, 0, 2).reshape(len(t), -1)).reshape(v.size, u.size, 3)
     control = np.ascontiguousarray(whole.transpose(1, 0, 2))
     identity = (TangentMap(), TangentMap())
     return ExactSurface(u, v, control, np.ones(control.shape[:2]), identity, flip=surface.flip)
 
 
 def _deviation(surface: Surface, form: ExactSurface) -> float:
-    s, t = _sites(form.u, 4), _sites(form.v, 4)
+    s, t = fit_sites(form.u, 4), fit_sites(form.v, 4)
     blend = form.v.derivatives(t, 0)[0]
     largest = 0.0
     for part in np.array_split(s, max(1, s.size * t.size // 200_000)):

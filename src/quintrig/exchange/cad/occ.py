@@ -16,12 +16,13 @@ from typing import Any
 import numpy as np
 
 from quintrig.basis.bspline import BSpline
-from quintrig.geometry.exact import ExactSurface
+from quintrig.geometry.exact import ExactCurve, ExactSurface
 from quintrig.support.arrays import FloatArray
 from quintrig.support.extras import need
 
 _BEFORE_8 = {
     "Array2_gp_Pnt": ("TColgp", "TColgp_Array2OfPnt"),
+    "Array1_gp_Pnt": ("TColgp", "TColgp_Array1OfPnt"),
     "Array2_double": ("TColStd", "TColStd_Array2OfReal"),
     "Array1_double": ("TColStd", "TColStd_Array1OfReal"),
     "Array1_int": ("TColStd", "TColStd_Array1OfInteger"),
@@ -86,6 +87,20 @@ def to_occ(form: ExactSurface) -> Any:
     if form.rational:
         return kind(poles, weights, u_knots, v_knots, u_counts, v_counts, form.u.degree, form.v.degree)
     return kind(poles, u_knots, v_knots, u_counts, v_counts, form.u.degree, form.v.degree)
+
+
+def to_occ_curve(form: ExactCurve) -> Any:
+    """Return a Geom_BSplineCurve with the same poles, weights and knots; a plane curve lies in z = 0."""
+    count = len(form.points)
+    poles, weights = array_type("Array1_gp_Pnt")(1, count), array_type("Array1_double")(1, count)
+    for k, (point, weight) in enumerate(zip(form.points.tolist(), form.weights.tolist(), strict=True), 1):
+        poles.SetValue(k, module("gp").gp_Pnt(*point, *[0.0] * (3 - len(point))))
+        weights.SetValue(k, weight)
+    knots, counts = _knots(form.basis)
+    kind = module("Geom").Geom_BSplineCurve
+    if (form.weights != form.weights[0]).any():
+        return kind(poles, weights, knots, counts, form.basis.degree)
+    return kind(poles, knots, counts, form.basis.degree)
 
 
 def _knots(basis: BSpline) -> tuple[Any, Any]:

@@ -5,9 +5,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from quintrig.exchange.cad.faces import Contents
+from quintrig.basis.bspline import normalised
+from quintrig.basis.rational import TangentMap
+from quintrig.exchange.cad.curve_forms import CurveCarrier, in_space
+from quintrig.exchange.cad.faces import Contents, SpaceCurve
 from quintrig.exchange.cad.forms import Carrier
 from quintrig.geometry.domain import grid
+from quintrig.geometry.exact import ExactCurve
 from quintrig.geometry.surface import Surface
 from quintrig.model.model import Model
 from quintrig.support.arrays import FloatArray
@@ -43,6 +47,28 @@ def deviations(parts: Sequence[Carrier], contents: Contents, points: int = 100) 
         distance = _distance(part, nearest, u, v)
         result.append(Deviation(part.name, distance, distance / part.surface.size, rounding(part.surface(*few))))
     return tuple(result)
+
+
+def curve_deviations(parts: Sequence[CurveCarrier], contents: Contents, points: int = 1000) -> tuple[Deviation, ...]:
+    """Compare each curve with the nearest curve that was read back, on ``points`` points at mapped parameters.
+
+    Raises ValueError where the file holds another number of curves than the model has.
+    """
+    if len(contents.curves) != len(parts):
+        raise ValueError(f"reading back: expected {len(parts)} curves, found {len(contents.curves)}")
+    t = np.linspace(0.0, 1.0, points)
+    read = [_curve(one) for one in contents.curves]
+    result: list[Deviation] = []
+    for part in parts:
+        x, place = part.form.map.forward(t), in_space(part.curve(t))
+        away = min(float(np.linalg.norm(one(x) - place, axis=-1).max()) for one in read)
+        result.append(Deviation(part.name, away, away / part.size, rounding(place)))
+    return tuple(result)
+
+
+def _curve(read: SpaceCurve) -> ExactCurve:
+    basis = normalised(read.knots, read.degree)
+    return ExactCurve(basis, np.array(read.points), np.array(read.weights), TangentMap())
 
 
 def _distance(part: Carrier, other: Surface, u: FloatArray, v: FloatArray) -> float:

@@ -27,8 +27,10 @@ _MOST_OBJECTS = 100_000
 _OTHERS = {"Mesh": "meshes", "SubD": "SubD", "Point": "points", "PointCloud": "point clouds"}
 
 
-def write_3dm(forms: Sequence[ExactSurface], names: Sequence[str], unit: str, remark: str) -> bytes:
-    """Return a 3DM file with one surface object for each patch; a flipped one has its face turned."""
+def write_3dm(
+    forms: Sequence[ExactSurface], names: Sequence[str], unit: str, remark: str, curves: Sequence[SpaceCurve] = ()
+) -> bytes:
+    """Return a 3DM file with one object for each patch and curve; a flipped patch has its face turned."""
     rhino = need("rhino3dm", "3DM exchange")
     file = rhino.File3dm()
     file.ApplicationName = "quintrig"
@@ -43,6 +45,10 @@ def write_3dm(forms: Sequence[ExactSurface], names: Sequence[str], unit: str, re
         if form.flip:
             solid.Flip()
         file.Objects.AddBrep(solid, attributes)
+    for curve in curves:
+        attributes = rhino.ObjectAttributes()
+        attributes.Name = curve.name
+        file.Objects.AddCurve(_to_rhino_curve(rhino, curve), attributes)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "model.3dm"
         if not file.Write(str(path), _VERSION):
@@ -129,6 +135,15 @@ def to_rhino(rhino: Any, form: ExactSurface) -> Any:
     for knots, basis in ((result.KnotsU, form.u), (result.KnotsV, form.v)):
         for k, value in enumerate(basis.knots[1:-1]):  # Rhino leaves out the first and the last
             knots[k] = value
+    return result
+
+
+def _to_rhino_curve(rhino: Any, curve: SpaceCurve) -> Any:
+    result = rhino.NurbsCurve(3, len(set(curve.weights)) > 1, curve.degree + 1, len(curve.points))
+    for k, ((x, y, z), weight) in enumerate(zip(curve.points, curve.weights, strict=True)):
+        result.Points[k] = rhino.Point4d(x * weight, y * weight, z * weight, weight)
+    for k, value in enumerate(curve.knots[1:-1]):  # Rhino leaves out the first and the last
+        result.Knots[k] = value
     return result
 
 

@@ -5,10 +5,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
+from quintrig.exchange.cad.curve_forms import CurveCarrier, curve_carriers
 from quintrig.exchange.cad.fit import FitOptions
 from quintrig.exchange.cad.forms import Carrier, written_carriers
 from quintrig.exchange.cad.isolated import read_here
-from quintrig.exchange.cad.readback import deviations
+from quintrig.exchange.cad.readback import Deviation, curve_deviations, deviations
 from quintrig.exchange.formats import suffixes
 from quintrig.exchange.origin import far, is_far, refuse_point
 from quintrig.exchange.units import ASSUMED
@@ -43,19 +44,20 @@ class CadOptions:
 def export_cad(model: Model, path: Path, options: CadOptions | None = None) -> tuple[str, ...]:
     """Write a STEP, IGES, BREP or 3DM file, and return what to tell about it, one line each.
 
-    The file is read back and every patch compared at 10,000 points before it takes its place. Raises QuintrigError for
+    The file is read back, every patch compared at 10,000 points and every curve at 1,000, before it takes its place.
+    Plane curves lie in z = 0. Raises QuintrigError for
     a missing extra or an unwritable target, ValueError where a patch is a point or has no such form.
     """
     options = options or CadOptions()
     refuse_point(model)
-    parts = written_carriers(model, options.fit)
-    notes = [f"{part.name}: {part.note}" for part in parts]
-    data, more = _data(model, path.suffix.lower(), parts, options, "; ".join(notes))
+    parts, curves = written_carriers(model, options.fit), curve_carriers(model, options.fit)
+    notes = [f"{part.name}: {part.note}" for part in (*parts, *curves)]
+    data, more = _data(model, path.suffix.lower(), parts, curves, options, "; ".join(notes))
     notes += more
     with tempfile.TemporaryDirectory() as folder:
         copy = Path(folder) / f"copy{path.suffix.lower()}"
         copy.write_bytes(data)
-        notes += _compared(parts, copy, path)
+        notes += _compared(parts, curves, copy, path)
     if not model.unit and path.suffix.lower() != ".brep":
         notes.append(f"the model states no unit; the file says {ASSUMED}")
     if any(part.surface.trim for part in parts):
@@ -65,20 +67,27 @@ def export_cad(model: Model, path: Path, options: CadOptions | None = None) -> t
 
 
 def _data(
-    model: Model, suffix: str, parts: tuple[Carrier, ...], options: CadOptions, remark: str
+    model: Model,
+    suffix: str,
+    parts: tuple[Carrier, ...],
+    curves: tuple[CurveCarrier, ...],
+    options: CadOptions,
+    remark: str,
 ) -> tuple[bytes, tuple[str, ...]]:
-    names = [part.name for part in parts]
+    names = [part.name for part in (*parts, *curves)]
     if suffix == ".3dm":
         from quintrig.exchange.cad.rhino import write_3dm
 
         notes = ("3DM: patches are separate surfaces; join them in Rhino",) if len(parts) > 1 else ()
-        return write_3dm([part.form for part in parts], names, model.unit, remark), notes
+        forms, written = [part.form for part in parts], [one.written for one in curves]
+        return write_3dm(forms, names[: len(parts)], model.unit, remark, written), notes
     from quintrig.exchange.cad import write as cad_write
     from quintrig.exchange.cad.occ import quiet
-    from quintrig.exchange.cad.shell import shell
+    from quintrig.exchange.cad.shell import shell, with_edges
 
     with quiet():
-        shape = shell(parts, options.sew or _widest_seam(model))
+        faces = shell(parts, options.sew or _widest_seam(model)) if parts else None
+        shape = faces if faces and not curves else with_edges(faces, curves)
     if suffix in (".step", ".stp"):
         return cad_write.step(shape, model.name, names, model.unit, options.schema, remark), shape.notes
     if suffix in (".iges", ".igs"):
@@ -95,20 +104,26 @@ def _widest_seam(model: Model) -> float | None:
     return 1.5 * max(gaps) if gaps and max(gaps) > _USUAL_SEWING * size else None
 
 
-def _compared(parts: tuple[Carrier, ...], copy: Path, path: Path) -> list[str]:
-    """Return a line on each patch; QuintrigError where an exact file is not exact."""
+def _compared(parts: tuple[Carrier, ...], curves: tuple[CurveCarrier, ...], copy: Path, path: Path) -> list[str]:
+    """Return a line on each patch and curve; QuintrigError where an exact file is not exact."""
+    read = read_here(copy)
     lines: list[str] = []
-    for part, found in zip(parts, deviations(parts, read_here(copy)), strict=True):
-        allowed = _LARGEST_DEVIATION * part.surface.size + found.rounding
-        if part.deviation == 0.0 and not found.distance <= allowed:
-            raise QuintrigError(
-                f"{path}: not written: read back, patch {part.name!r} deviates by {found.distance:.2g} "
-                f"({found.relative:.1e} of its size), where {allowed:.2g} can be explained; please report this with "
-                "the model"
-            )
-        lines.append(
-            f"{found.name}: read back, largest deviation {found.distance:.2g} ({found.relative:.1e} of its size)"
-        )
+    for part, found in zip(parts, deviations(parts, read), strict=True) if parts else ():
+        lines.append(_told("patch", part.deviation == 0.0, part.surface.size, found, path))
         if is_far(part.surface):
             lines.append(f"{found.name}: {far(part.surface)}; move the model nearer for more digits")
+    for one, found in zip(curves, curve_deviations(curves, read), strict=True) if curves else ():
+        lines.append(_told("curve", one.deviation == 0.0, one.size, found, path))
     return lines
+
+
+def _told(what: str, exact: bool, size: float, found: Deviation, path: Path) -> str:
+    """Return how far what was read back is from the model; QuintrigError where it should be exact and is not."""
+    allowed = _LARGEST_DEVIATION * size + found.rounding
+    if exact and not found.distance <= allowed:
+        raise QuintrigError(
+            f"{path}: not written: read back, {what} {found.name!r} deviates by {found.distance:.2g} "
+            f"({found.relative:.1e} of its size), where {allowed:.2g} can be explained; please report this with "
+            "the model"
+        )
+    return f"{found.name}: read back, largest deviation {found.distance:.2g} ({found.relative:.1e} of its size)"

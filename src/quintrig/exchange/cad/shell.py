@@ -1,13 +1,14 @@
 """Faces and shells of OpenCASCADE from NURBS surfaces."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
+from quintrig.exchange.cad.curve_forms import CurveCarrier
 from quintrig.exchange.cad.forms import Carrier
-from quintrig.exchange.cad.occ import explored, module, to_occ
+from quintrig.exchange.cad.occ import explored, module, to_occ, to_occ_curve
 from quintrig.exchange.origin import far
 from quintrig.geometry.exact import ExactSurface
 from quintrig.support.tolerance import rounding
@@ -18,11 +19,24 @@ _SMALLEST = 1e-7
 
 @dataclass(frozen=True, eq=False)
 class Shell:
-    """The shape to write, its faces in the order of the patches, and what to tell the user."""
+    """The shape of the faces, if any, these in the order of the patches, what to tell the user, and edges of curves."""
 
     shape: Any
     faces: tuple[Any, ...]
     notes: tuple[str, ...]
+    edges: tuple[Any, ...] = ()
+
+    @property
+    def whole(self) -> Any:
+        """Everything as one shape."""
+        shapes = [*([self.shape] if self.faces else []), *self.edges]
+        if len(shapes) == 1:
+            return shapes[0]
+        builder, whole = module("BRep").BRep_Builder(), module("TopoDS").TopoDS_Compound()
+        builder.MakeCompound(whole)
+        for part in shapes:
+            builder.Add(whole, part)
+        return whole
 
 
 def shell(parts: Sequence[Carrier], tolerance: float | None = None) -> Shell:
@@ -52,6 +66,17 @@ def shell(parts: Sequence[Carrier], tolerance: float | None = None) -> Shell:
     if turned:
         notes.append(f"normals turned so that the shell has one outside: {', '.join(turned)}")
     return Shell(sewing.SewedShape(), sewn, tuple(notes))
+
+
+def with_edges(faces: Shell | None, curves: Sequence[CurveCarrier]) -> Shell:
+    """Return the shape of curves, or of faces and curves together; ValueError where OpenCASCADE makes no edge."""
+    edges: list[Any] = []
+    for one in curves:
+        maker = module("BRepBuilderAPI").BRepBuilderAPI_MakeEdge(to_occ_curve(one.form))
+        if not maker.IsDone():
+            raise ValueError(f'curve "{one.name}": OpenCASCADE makes no edge of it; is it collapsed?')
+        edges.append(maker.Edge())
+    return replace(faces, edges=tuple(edges)) if faces else Shell(None, (), (), tuple(edges))
 
 
 def _alone(face: Any) -> Any:

@@ -21,7 +21,7 @@ SCHEMAS = {"ap242": "AP242DIS", "ap214": "AP214IS"}
 
 
 def step(shell: Shell, name: str, names: Sequence[str], unit: str, schema: str, remark: str) -> bytes:
-    """Return a STEP file of the shell and its named faces; ``remark`` goes into its header."""
+    """Return a STEP file of the shell, its named faces and edges; ``remark`` goes into its header."""
     with quiet():
         module("STEPCAFControl").STEPCAFControl_Controller.Init_s()
         static = module("Interface").Interface_Static
@@ -42,7 +42,7 @@ def step(shell: Shell, name: str, names: Sequence[str], unit: str, schema: str, 
 
 
 def iges(shell: Shell, name: str, names: Sequence[str], unit: str) -> bytes:
-    """Return an IGES file of the shell and its named faces; names in ASCII, all that the format knows."""
+    """Return an IGES file of the shell, its named faces and edges; names in ASCII, all that the format knows."""
     with quiet():
         module("IGESControl").IGESControl_Controller.Init_s()
         static = module("Interface").Interface_Static
@@ -65,7 +65,7 @@ def brep(shell: Shell) -> bytes:
     """Return a BREP file, OpenCASCADE's own format, which holds neither names nor units."""
     with quiet(), tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "shape.brep"
-        module("BRepTools").BRepTools.Write_s(shell.shape, str(path))
+        module("BRepTools").BRepTools.Write_s(shell.whole, str(path))
         return path.read_bytes()
 
 
@@ -77,7 +77,7 @@ def _printed(writer: Any) -> bytes:
 
 
 def _document(shell: Shell, name: str, names: Sequence[str], unit: str) -> Any:
-    """Return an XDE document: the shape with its name, and its faces with theirs."""
+    """Return an XDE document: the shape with its name, its faces with theirs, and each edge by itself."""
     text = module("TCollection").TCollection_ExtendedString
     kind = text("BinXCAF")
     document = module("TDocStd").TDocStd_Document(kind)
@@ -85,13 +85,16 @@ def _document(shell: Shell, name: str, names: Sequence[str], unit: str) -> Any:
     tools = module("XCAFDoc").XCAFDoc_DocumentTool
     tools.SetLengthUnit_s(document, stated(unit).millimetres * 1e-3)
     shapes = tools.ShapeTool_s(document.Main())
-    label = shapes.AddShape(shell.shape, False)
     write = module("TDataStd").TDataStd_Name.Set_s
-    write(label, text(name, True))
-    for face, word in zip(shell.faces, names, strict=True):
-        part = shapes.AddSubShape(label, face)
-        if not part.IsNull():
-            write(part, text(word, True))
+    if shell.faces:
+        label = shapes.AddShape(shell.shape, False)
+        write(label, text(name, True))
+        for face, word in zip(shell.faces, names, strict=False):
+            part = shapes.AddSubShape(label, face)
+            if not part.IsNull():
+                write(part, text(word, True))
+    for edge, word in zip(shell.edges, names[len(shell.faces) :], strict=True):
+        write(shapes.AddShape(edge, False), text(word, True))
     return document
 
 
