@@ -16,6 +16,7 @@ from quintrig.basis.rational import NotRationalError, TangentMap
 from quintrig.basis.tape import Tape, tape
 from quintrig.support import taylor
 from quintrig.support.arrays import FloatArray, number, parameter
+from quintrig.support.memory import address
 
 MOST_FUNCTIONS, MOST_PARAMETERS = 64, 24
 """Most functions and most parameters of a basis."""
@@ -238,7 +239,9 @@ class Formulas(Functions):
 
         whole = out if out.flags.c_contiguous else np.empty(out.shape)
         work = self._tape
-        run(t, work.operations, work.numbers, work.roots, self.partition, whole.reshape(len(t), -1))
+        places, scratch = np.ascontiguousarray(t), np.empty((len(work.operations), 3, t.shape[1]))
+        taped = address(work.operations), len(work.operations), address(work.numbers), address(work.roots)
+        run(address(places), len(t), *taped, len(work.roots), self.partition, address(scratch), address(whole))
         if whole is not out:
             out[...] = whole
 
