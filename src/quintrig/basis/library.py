@@ -71,7 +71,7 @@ def of_basis(basis: Basis) -> Entry:
 @lru_cache(maxsize=256)
 def _basis(entry: Entry, points: int) -> Basis:
     functions, parameters = entry.formulas(points)
-    return Basis(entry.name, functions, parameters, entry.source)
+    return Basis(entry.name, functions, parameters, entry.source, vouched=True)
 
 
 Formulas = tuple[tuple[str, ...], tuple[Parameter, ...]]

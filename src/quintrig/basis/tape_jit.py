@@ -35,7 +35,8 @@ def run(
     """Fill ``out`` (blocks, 3 terms BLOCK) with increments, ordered (derivative, term, point), at t (blocks, BLOCK).
 
     ``tape`` (count, 3), ``constants`` (count,) and ``ends`` (size,) are operations, numbers and roots of a ``Tape``,
-    ``scratch`` is room for (count, 3, BLOCK) numbers. For a partition of unity derivatives are summed over the functions that vanish at the nearer end.
+    ``scratch`` is room for (count, 3, BLOCK) numbers. For a partition of unity derivatives are summed over the
+    functions that vanish at the nearer end.
     """
     places, operations, numbers = table_at(t, blocks, BLOCK), whole_table_at(tape, count, 3), floats_at(constants)
     roots = words_at(ends)

@@ -50,7 +50,6 @@ BLOCK = 64
 48, 64, 72, 96 and 128."""
 
 
-
 class Use(NamedTuple):
     """How loops use a function: put in place, or called; and whether it is compiled anew for other constants."""
 

@@ -3,6 +3,9 @@
 tests/test_numba_inside.py says what a version must have, and pyproject.toml the newest that was tried.
 """
 
+# pyright: reportUnknownLambdaType=false
+# Numba reads what a word means from functions of functions, whose arguments have types of Numba.
+
 from collections.abc import Callable
 from functools import cache
 from typing import Any, cast
@@ -66,15 +69,15 @@ def _memory() -> None:
     line, barrier, jump = (_extending.intrinsic(word) for word in (_stream, _fence, _call))
     carray = _numba.carray
     meanings: dict[Any, Any] = {
-        memory.floats_at: lambda p: lambda p: floats(p),
-        memory.words_at: lambda p: lambda p: words(p),
-        memory.codes_at: lambda p: lambda p: codes(p),
+        memory.floats_at: lambda p: lambda p: floats(p),  # noqa: PLW0108
+        memory.words_at: lambda p: lambda p: words(p),  # noqa: PLW0108
+        memory.codes_at: lambda p: lambda p: codes(p),  # noqa: PLW0108
         memory.table_at: lambda p, n, m: lambda p, n, m: carray(floats(p), (n, m)),
         memory.whole_table_at: lambda p, n, m: lambda p, n, m: carray(words(p), (n, m)),
         memory.stack_at: lambda p, k, n, m: lambda p, k, n, m: carray(floats(p), (k, n, m)),
-        memory.stream_line: lambda p, q: lambda p, q: line(p, q),
-        memory.fence: lambda: lambda: barrier(),
-        memory.call: lambda p, a, b, c, d, e, f, g: lambda p, a, b, c, d, e, f, g: jump(p, a, b, c, d, e, f, g),
+        memory.stream_line: lambda p, q: lambda p, q: line(p, q),  # noqa: PLW0108
+        memory.fence: lambda: lambda: barrier(),  # noqa: PLW0108
+        memory.call: lambda p, a, b, c, d, e, f, g: lambda p, a, b, c, d, e, f, g: jump(p, a, b, c, d, e, f, g),  # noqa: PLW0108
     }
     for word, meaning in meanings.items():
         _extending.overload(word, jit_options={"forceinline": True, **_OPTIONS})(meaning)

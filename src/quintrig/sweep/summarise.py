@@ -167,7 +167,6 @@ def summariser(terms: int, block: int) -> Summariser:
     ``weights`` (n, p); ``wu`` (nu,) and ``wv`` (block,) quadrature weights, zero where v is padding; ``singular`` and
     ``flat`` as shares of the size; ``out`` (n, columns).
     """
-
     width, increments, columns = 9 * (1 + terms), 3 * terms * block, len(COLUMNS)
 
     @loop
