@@ -24,6 +24,10 @@ def report(quick: bool) -> None:
         "import quintrig, first analyse, kernels from the cache": ("-c", FIRST),
         "quintrig --help": ("-m", "quintrig", "--help"),
         "quintrig check examples/car_boot.toml": ("-m", "quintrig", "check", "examples/car_boot.toml"),
+        "quintrig table examples/car_boot.toml --at 0.5,0.5": (
+            *("-m", "quintrig", "table", "examples/car_boot.toml"),
+            *("--at", "0.5,0.5"),
+        ),
     }
     ways = {
         name: lambda words=words: subprocess.run([sys.executable, *words], check=True, stdout=subprocess.DEVNULL)
@@ -32,10 +36,17 @@ def report(quick: bool) -> None:
     times = race(ways, 5 if quick else 11)
     numpy = times["import numpy"]
     rows = [
-        (name, f"{timing.median:.3f}", f"{timing.spread:.0%}", _beyond(timing, numpy)) for name, timing in times.items()
+        (
+            name,
+            f"{timing.median:.3f}",
+            f"{timing.spread:.0%}",
+            _beyond(timing, numpy),
+            f"{timing.median / numpy.median:.1f}",
+        )
+        for name, timing in times.items()
     ]
     print("Start-up of a fresh process\n")
-    table(("command", "seconds", "spread", "beyond NumPy's import"), rows)
+    table(("command", "seconds", "spread", "beyond NumPy's import", "times NumPy's import"), rows)
 
 
 def _beyond(timing: Timing, numpy: Timing) -> str:

@@ -11,6 +11,8 @@ import oracle
 from catalogue import BASES, FAMILIES, PAIRS
 from quintrig.basis.bernstein import Bernstein, TangentBernstein
 from quintrig.basis.elementary import Circular
+from quintrig.basis.formula_checks import check_values
+from quintrig.basis.library import LIBRARY
 from quintrig.basis.registry import family
 from quintrig.basis.trigonometric import Trigonometric
 
@@ -206,3 +208,10 @@ def test_family_gives_the_basis_that_fits_the_points():
     assert family("bernstein", 4) == Bernstein(3)
     with pytest.raises(ValueError, match="expected 6 control points"):
         family("trigonometric", 5)
+
+
+@pytest.mark.parametrize("entry", LIBRARY, ids=lambda entry: entry.name)
+def test_the_formulas_that_are_vouched_for_have_values_in_all_of_their_range(entry):
+    basis = entry.basis()
+    assert basis.vouched
+    check_values(basis.trees, basis.parameters)

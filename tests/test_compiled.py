@@ -8,7 +8,6 @@ import subprocess
 import sys
 from pathlib import Path
 
-import numba
 import numpy as np
 import pytest
 
@@ -26,13 +25,21 @@ from quintrig.support.compiled import BLOCK
 SOURCE = Path(quintrig.__file__).parent
 
 WORK = """
-import gc, json, sys
+import json, sys
 import numpy as np
-from numba.core.caching import IndexDataCacheFile
-from numba.core.dispatcher import Dispatcher
 {before}
 import quintrig
 from quintrig.support import compiled
+found, made = compiled._found, compiled._compiled
+counts = dict(hits=0, misses=0)
+def finding(loop):
+    address = found(loop)
+    counts["hits"] += address is not None
+    return address
+def making(loop):
+    counts["misses"] += 1
+    return made(loop)
+compiled._found, compiled._compiled = finding, making
 x, y = np.meshgrid(np.linspace(0, 5, 6), np.linspace(0, 5, 6), indexing="ij")
 surface = quintrig.tensor(np.stack([x, y, np.sin(x) * np.cos(y)], axis=-1), (0.5, -1, -3, 1))
 u, v = quintrig.grid(5, 6)
@@ -41,14 +48,9 @@ work = {{
     "points": lambda: quintrig.analyse(surface, u.ravel(), v[0, :5], ("gaussian", "mean")),
 }}
 values = {{key: {{q: work[key]()[q].tolist() for q in ("gaussian", "mean")}} for key in sys.argv[1:]}}
-mine = [d for d in gc.get_objects() if isinstance(d, Dispatcher) and d.py_func.__module__.startswith("quintrig")]
-stats = [d.stats for d in mine if d.stats.cache_path]
-print(json.dumps({{
-    "values": values,
-    "hits": sum(sum(s.cache_hits.values()) for s in stats),
-    "misses": sum(sum(s.cache_misses.values()) for s in stats),
-    "folder": str(compiled.cache_folder() or ""),
-}}))
+print(json.dumps(dict(
+    counts, values=values, folder=str(compiled.cache_folder() or ""), numba="numba" in sys.modules
+)))
 """
 
 
@@ -85,6 +87,7 @@ def test_a_second_process_compiles_nothing(filled):
     assert (first["hits"], first["misses"] > 0) == (0, True)
     assert (second["hits"], second["misses"]) == (4, 0)  # two drivers, K and H, and the basis
     assert second["values"] == first["values"]
+    assert (first["numba"], second["numba"]) == (True, False)
 
 
 def test_processes_that_start_at_once_share_an_empty_folder(filled, tmp_path):
@@ -95,32 +98,10 @@ def test_processes_that_start_at_once_share_an_empty_folder(filled, tmp_path):
     assert again["values"] == filled[1]["values"]
 
 
-def test_code_that_two_processes_save_at_the_same_moment_is_not_mixed_up(filled, tmp_path):
-    # The worst order of events: between the index and the data of the first process, a second one, which read the
-    # index before it was there, writes both of its own for another driver.
-    second = """
-IndexDataCacheFile._load_index = lambda self: {}
-"""
-    path = tmp_path / "second.py"
-    path.write_text(WORK.format(before=second))
-    first = f"""
-import subprocess
-save = IndexDataCacheFile._save_data
-def late(self, name, data):
-    if "drive" in name:
-        subprocess.run([sys.executable, {str(path)!r}, "points"], check=True, stdout=subprocess.DEVNULL)
-    save(self, name, data)
-IndexDataCacheFile._save_data = late
-"""
-    run("grid", before=first, NUMBA_CACHE_DIR=str(tmp_path))
-    for work in ("points", "grid"):
-        assert run(work, NUMBA_CACHE_DIR=str(tmp_path))["values"][work] == filled[1]["values"][work]
-
-
 @pytest.mark.parametrize("damage", ["empty", "junk"])
 def test_a_damaged_folder_costs_time_and_nothing_else(filled, tmp_path, damage):
     shutil.copytree(filled[0], tmp_path, dirs_exist_ok=True)
-    files = [file for file in tmp_path.rglob("*.nb*") if file.is_file()]
+    files = [file for file in tmp_path.rglob("*.code") if file.is_file()]
     assert files
     for file in files:
         file.write_bytes(b"" if damage == "empty" else b"\x80junk" * 9)
@@ -129,12 +110,11 @@ def test_a_damaged_folder_costs_time_and_nothing_else(filled, tmp_path, damage):
 
 def test_a_full_disk_costs_time_and_nothing_else(filled, tmp_path):
     full = """
-import contextlib, errno
-@contextlib.contextmanager
-def full(self, path):
+import errno
+from quintrig.support import machine_code
+def full(code):
     raise OSError(errno.ENOSPC, "No space left on device")
-    yield
-IndexDataCacheFile._open_for_write = full
+machine_code.packed = full
 """
     assert run("grid", before=full, NUMBA_CACHE_DIR=str(tmp_path))["values"]["grid"] == filled[1]["values"]["grid"]
 
@@ -201,7 +181,7 @@ def imports(path):
 
 def test_every_module_with_compiled_code_is_among_the_sources():
     modules = {str(file.relative_to(SOURCE).with_suffix("")) for file in SOURCE.rglob("*.py")}
-    marks = ("@loop", "@scalar", "@njit")
+    marks = ("@loop", "@scalar", "@part", "@unrolled")
     using = {name for name in modules if any(f"\n{mark}\n" in (SOURCE / f"{name}.py").read_text() for mark in marks)}
     assert using
     assert using <= set(compiled.SOURCES)
@@ -213,20 +193,6 @@ def test_every_module_that_compiled_code_takes_values_from_is_among_the_sources(
     harmless = {"support/arrays", "basis/functions", "geometry/surface"}
     for name in set(compiled.SOURCES) - {"quantities/table"}:
         assert imports(SOURCE / f"{name}.py") <= set(compiled.SOURCES) | harmless, name
-
-
-def test_numba_settings_of_others_are_left_alone():
-    config = numba.config
-    before = config.CACHE_DIR
-
-    def bad():
-        raise AssertionError
-
-    assert compiled.loop(bad)
-    assert before == config.CACHE_DIR
-    with pytest.raises(TypeError):
-        compiled.loop("no function")
-    assert before == config.CACHE_DIR
 
 
 # ---------------------------------------------------------------------------------------------- the basis

@@ -1,69 +1,103 @@
 """What Numba has inside and does not promise: where a version fails here, support/numba_inside.py needs a look."""
 
-import ctypes
 import re
 from pathlib import Path
 
 import numba
+import numpy as np
 import pytest
 
 import quintrig
-from quintrig.support.numba_inside import address, share_cache
+from quintrig.support import compiled, machine_code, numba_inside
+from quintrig.support.compiled import loop, scalar
+from quintrig.support.memory import address, call, codes_at, floats_at, stack_at, stream_line, table_at, words_at
 
 SOURCE = Path(quintrig.__file__).parent
 VERSION = f"Numba {numba.__version__}: support/numba_inside.py uses what this version has no longer"
 
 
-@pytest.fixture
-def kept(tmp_path, monkeypatch):
-    """Return a loop that is kept on disk."""
-    monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path))
-
-    @numba.njit(cache=True)
-    def double(x):
-        return 2.0 * x
-
-    return double
+@scalar
+def _twice(x: float) -> float:
+    return 2.0 * x
 
 
-def test_a_loop_is_found_in_memory():
-    @numba.njit
-    def loop(a, b, c, d, e, f, g):
-        if a + b + c + d + e + f + g < 0:
-            raise ValueError("below zero")
+@loop
+def _double(start: int, count: int, more: float) -> None:
+    values = floats_at(start)
+    for k in range(count):
+        values[k] = _twice(values[k]) + more
 
-    found = address(loop)
-    assert isinstance(found, int), VERSION
+
+@loop
+def _greedy(start: int) -> None:
+    values = floats_at(start)
+    values[0] = np.sort(np.empty(int(values[0]))).sum()
+
+
+def test_a_loop_works_on_the_memory_at_an_address():
+    values = np.arange(5.0)
+    _double(address(values), 4, 0.5)
+    assert values.tolist() == [0.5, 2.5, 4.5, 6.5, 4.0], VERSION
+
+
+def test_machine_code_is_loaded_without_what_made_it():
+    _, code = numba_inside.compiled(_double)
+    found = machine_code.load(machine_code.packed(code))
     assert found, VERSION
-    # The wrapper that C calls: seven whole numbers in, nothing out.
-    ctypes.CFUNCTYPE(None, *[ctypes.c_ssize_t] * 7)(found)(1, 2, 3, 4, 5, 6, 7)
+    again = compiled.Loop(_double.function)
+    again.__dict__["address"] = found
+    values = np.array([1.0, 2.0])
+    again(address(values), 2, -1.0)
+    assert values.tolist() == [1.0, 3.0], VERSION
 
 
-def test_the_files_of_a_process_have_names_of_their_own(kept, tmp_path):
-    files = kept._cache._cache_file
-    assert "{number:d}" in files._data_name_pattern, VERSION
-    share_cache(kept, "word")
-    assert kept(3.0) == 6.0
-    assert [path for path in tmp_path.rglob("*.nbc") if "-word" in path.name or ".word" in path.name], VERSION
+def test_broken_machine_code_and_missing_functions_are_as_good_as_none():
+    _, code = numba_inside.compiled(_double)
+    whole = machine_code.packed(code)
+    for broken in (b"", b"\x80junk" * 9, whole[:-1], whole[:40] + b"x" + whole[41:]):
+        assert machine_code.load(broken) is None
+    assert machine_code.load(machine_code.packed(code._replace(needs=("no_such_function",)))) is None
 
 
-def test_a_broken_file_is_as_good_as_none(kept):
-    share_cache(kept, "word")
-
-    class Broken:
-        def __getattr__(self, name):
-            raise OSError("no such disk")
-
-    kept._cache._cache_file = Broken()
-    assert kept(3.0) == 6.0, VERSION
+def test_a_loop_that_reserves_memory_is_refused():
+    with pytest.raises(RuntimeError, match=r"expected a loop that needs nothing of Numba, found .*NRT_"):
+        numba_inside.compiled(_greedy)
 
 
-def test_what_has_no_cache_is_left_alone():
-    share_cache(object(), "word")
+def test_a_loop_holds_whole_numbers_only():
+    held = np.ones(3)
+
+    def bad(start: int) -> None:
+        floats_at(start)[0] = held[0]
+
+    with pytest.raises(TypeError, match="expected only whole numbers in its closure"):
+        loop(bad)
+
+
+@pytest.mark.parametrize(
+    "word",
+    [
+        lambda: floats_at(0),
+        lambda: words_at(0),
+        lambda: codes_at(0),
+        lambda: table_at(0, 1, 1),
+        lambda: stack_at(0, 1, 1, 1),
+        lambda: stream_line(0, 0),
+        lambda: call(0, 0, 0, 0, 0, 0, 0, 0),
+    ],
+)
+def test_memory_is_out_of_reach_of_python(word):
+    with pytest.raises(NotImplementedError, match="only compiled loops"):
+        word()
+
+
+def test_an_address_is_of_memory_without_gaps():
+    with pytest.raises(ValueError, match="without gaps"):
+        address(np.zeros((3, 4))[:, :2])
 
 
 def test_no_other_module_looks_inside():
-    inside = re.compile(r"_cache_file|_data_name_pattern|load_overload|fndesc|\.overloads|get_pointer_to_function")
+    inside = re.compile(r"_final_module|_get_compiled_object|load_overload|fndesc|\.overloads|get_pointer_to_function")
     using = [path.name for path in SOURCE.rglob("*.py") if inside.search(path.read_text(encoding="utf-8"))]
     assert using == ["numba_inside.py"]
 

@@ -73,7 +73,7 @@ def of_basis(basis: Basis) -> Entry:
 @lru_cache(maxsize=256)
 def _basis(entry: Entry, points: int) -> Basis:
     functions, parameters = entry.formulas(points)
-    return Basis(entry.name, functions, parameters, entry.source, entry.claims)
+    return Basis(entry.name, functions, parameters, entry.source, entry.claims, vouched=True)
 
 
 Formulas = tuple[tuple[str, ...], tuple[Parameter, ...]]

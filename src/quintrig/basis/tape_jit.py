@@ -1,11 +1,10 @@
 """The compiled loop that works out a tape of formulas with its first two derivatives, and their increments."""
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quintrig.basis.trigonometric_jit import half_angle
-from quintrig.support.arrays import FloatArray
 from quintrig.support.compiled import BLOCK, loop, scalar
+from quintrig.support.memory import floats_at, stack_at, table_at, whole_table_at, words_at
 
 
 @scalar
@@ -22,24 +21,32 @@ def _rest(x: float, sign: float) -> float:
 
 @loop
 def run(
-    t: FloatArray,
-    operations: NDArray[np.int64],
-    numbers: FloatArray,
-    roots: NDArray[np.int64],
-    partition: bool,
-    out: FloatArray,
+    t: int,
+    blocks: int,
+    tape: int,
+    count: int,
+    constants: int,
+    ends: int,
+    size: int,
+    partition: int,
+    scratch: int,
+    out: int,
 ) -> None:
     """Fill ``out`` (blocks, 3 terms BLOCK) with increments, ordered (derivative, term, point), at t (blocks, BLOCK).
 
-    For a partition of unity derivatives are summed over the functions that vanish at the nearer end.
+    ``tape`` (count, 3), ``constants`` (count,) and ``ends`` (size,) are operations, numbers and roots of a ``Tape``,
+    ``scratch`` is room for (count, 3, BLOCK) numbers. For a partition of unity derivatives are summed over the
+    functions that vanish at the nearer end.
     """
-    count, size = operations.shape[0], roots.shape[0]
+    places, operations, numbers = table_at(t, blocks, BLOCK), whole_table_at(tape, count, 3), floats_at(constants)
+    roots = words_at(ends)
     # Values and first two derivatives of every operation; those of the angle's functions once a block.
-    f = np.empty((count, 3, BLOCK))
+    f = stack_at(scratch, count, 3, BLOCK)
     rate = 0.5 * np.pi
     terms = size - 1 if partition else size
-    for block in range(t.shape[0]):
-        x = t[block]
+    increments = table_at(out, blocks, 3 * terms * BLOCK)
+    for block in range(blocks):
+        x = places[block]
         for n in range(count):
             code, i, j, c = operations[n, 0], operations[n, 1], operations[n, 2], numbers[n]
             y, p, q = f[n], f[i], f[j]
@@ -126,7 +133,7 @@ def run(
                         g0 = np.exp(v)
                         g1, g2 = g0, g0
                     y[0, k], y[1, k], y[2, k] = g0, g1 * a, g1 * b + g2 * a * a
-        o = out[block]
+        o = increments[block]
         for d in range(3):
             for k in range(BLOCK):
                 if not partition:

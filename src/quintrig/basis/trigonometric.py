@@ -12,6 +12,7 @@ from quintrig.basis.functions import MOVING, Functions, Still
 from quintrig.basis.rational import RIGHT_ANGLE, TangentMap, circle_weights
 from quintrig.support import taylor
 from quintrig.support.arrays import BoolArray, FloatArray, number, parameter
+from quintrig.support.memory import address
 
 SHAPE_RANGE = (-4.0, 1.0)
 """Shape parameters in this range keep the trigonometric basis non-negative (Misro et al. 2017)."""
@@ -144,9 +145,10 @@ class Trigonometric(Functions):
 
         whole = out if out.flags.c_contiguous else np.empty(out.shape)
         flat = whole.reshape(len(t), -1)
-        fill(t, self.alpha, self.zeta, flat)
+        places, count = np.ascontiguousarray(t), len(t)
+        fill(address(places), count, self.alpha, self.zeta, address(flat))
         if any(still):
-            across(t, self.alpha, self.zeta, *still, flat)
+            across(address(places), count, self.alpha, self.zeta, *still, address(flat))
         if whole is not out:
             out[...] = whole
 

@@ -5,8 +5,8 @@ The tests hold the two together.
 
 import numpy as np
 
-from quintrig.support.arrays import FloatArray
 from quintrig.support.compiled import BLOCK, loop, scalar
+from quintrig.support.memory import table_at
 
 
 @scalar
@@ -56,7 +56,7 @@ def _end_pair(s: float, c: float, a: float, shape: float, near: bool) -> tuple[f
 
 
 @loop
-def fill(t: FloatArray, alpha: float, zeta: float, out: FloatArray) -> None:
+def fill(t: int, blocks: int, alpha: float, zeta: float, out: int) -> None:
     """Fill ``out`` (blocks, 15 BLOCK) with the increments of the trigonometric basis, ordered (derivative, i, point).
 
     Their derivatives are the hodograph functions of ``basis.Trigonometric.slopes``, where s c / (1 + s + c) is
@@ -64,9 +64,10 @@ def fill(t: FloatArray, alpha: float, zeta: float, out: FloatArray) -> None:
     """
     rate = 0.5 * np.pi
     square = rate * rate
-    for block in range(t.shape[0]):
-        x = t[block]
-        d = out[block]
+    places, increments = table_at(t, blocks, BLOCK), table_at(out, blocks, 15 * BLOCK)
+    for block in range(blocks):
+        x = places[block]
+        d = increments[block]
         for k in range(BLOCK):
             p, q = half_angle(x[k])
             r, w = half_angle(1.0 - x[k])
@@ -100,16 +101,17 @@ def fill(t: FloatArray, alpha: float, zeta: float, out: FloatArray) -> None:
 
 
 @loop
-def across(t: FloatArray, alpha: float, zeta: float, start: bool, end: bool, out: FloatArray) -> None:
+def across(t: int, blocks: int, alpha: float, zeta: float, start: int, end: int, out: int) -> None:
     """Put f (G/f)' in place of the derivatives of the hodograph functions G, f = s at a still start, c at a still end.
 
     With f = 1 where an end moves, G = f g, and this is f g'; of G0 (G4) at a still start (end) the term 4 + α (4 + ζ)
     is left out.
     """
     square = 0.25 * np.pi * np.pi
-    for block in range(t.shape[0]):
-        x = t[block]
-        d = out[block]
+    places, increments = table_at(t, blocks, BLOCK), table_at(out, blocks, 15 * BLOCK)
+    for block in range(blocks):
+        x = places[block]
+        d = increments[block]
         for k in range(BLOCK):
             p, q = half_angle(x[k])
             r, w = half_angle(1.0 - x[k])

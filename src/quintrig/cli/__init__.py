@@ -1,5 +1,6 @@
 """The command line: ``quintrig COMMAND ...``. Only this package prints or exits."""
 
+import os
 import sys
 import warnings
 
@@ -11,5 +12,7 @@ def main() -> None:
     from quintrig.cli.streams import prepare
 
     prepare()
+    # Matrices are small here, and large work has threads of its own: NumPy's would only wait for each other.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     warnings.showwarning = warn
     sys.exit(run(build, sys.argv[1:]))

@@ -10,6 +10,7 @@ from quintrig.cli.options import Face, ModelFile, Whole
 
 _EPILOG = session.examples(
     ("quintrig report car_boot.toml out/car_boot", "writes the page into the folder out/car_boot"),
+    ("quintrig report car_boot.toml out/car_boot --figures png,pdf", "with every picture and table as files"),
     ("quintrig report part.step out/face3 --face 3", "on a face of a CAD file"),
 )
 
@@ -22,6 +23,9 @@ def register(app: typer.Typer) -> None:
 def report(
     model: ModelFile,
     out: Annotated[Path, typer.Argument(metavar="OUT", help="Folder or .html file to write.", show_default=False)],
+    figures: Annotated[
+        str, typer.Option("--figures", metavar="FORMATS", help="Pictures as files too, such as png,pdf; and tables.")
+    ] = "",
     face: Face = None,
     whole: Whole = False,
 ) -> None:
@@ -29,6 +33,7 @@ def report(
     loaded = session.load_any(model, face, whole)
     from quintrig.report import write_report
 
+    formats = [word.strip() for word in figures.split(",") if word.strip()]
     with session.progress() as progress:
-        page = write_report(loaded, out, progress=progress)
+        page = write_report(loaded, out, progress=progress, figures=formats, processes=None)
     session.done(page)

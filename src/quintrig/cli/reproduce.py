@@ -9,6 +9,7 @@ from quintrig.cli import session
 
 _EPILOG = session.examples(
     ("quintrig reproduce out/thesis", "builds every figure and table into one page"),
+    ("quintrig reproduce out/figure --only 4.3", "one figure or table alone"),
     ("quintrig reproduce --list", "prints the inventory: number, what it shows, model and view"),
 )
 
@@ -20,6 +21,10 @@ def register(app: typer.Typer) -> None:
 
 def reproduce(
     out: Annotated[Path | None, typer.Argument(metavar="OUT", help="Folder to write.", show_default=False)] = None,
+    only: Annotated[
+        list[str] | None,
+        typer.Option("--only", metavar="NUMBER", help="Build these alone, such as 4.3 or table-4.1. Repeatable."),
+    ] = None,
     inventory: Annotated[bool, typer.Option("--list", help="Print the inventory and build nothing.")] = False,
 ) -> None:
     """Rebuild the figures and tables of the thesis into one page to browse."""
@@ -30,6 +35,10 @@ def reproduce(
     if out is None:
         session.emit(thesis.inventory_text())
         return
+    wanted = [word.strip() for text in only or [] for word in text.split(",")]
+    keys = thesis.chosen(wanted) if wanted else None
+    # A process takes as long to start as a few pictures to draw.
+    processes = 1 if keys is not None and len(keys) < 5 else None
     with session.progress() as progress:
-        page = thesis.write_reproduction(out, progress=progress)
+        page = thesis.write_reproduction(out, progress=progress, only=keys, processes=processes)
     session.done(page)

@@ -9,7 +9,7 @@ that holds another in its closure is never found in the disk cache.)
 from quintrig.quantities import curvature
 from quintrig.quantities.curvature import Three
 from quintrig.support.arrays import FloatArray
-from quintrig.support.compiled import scalar
+from quintrig.support.compiled import scalar, unrolled
 
 PARTIALS = 18
 """Rows of partial derivatives."""
@@ -17,7 +17,7 @@ PARTIALS = 18
 DU, DV, DUU, DUV, DVV = 3, 6, 9, 12, 15
 
 
-@scalar
+@unrolled
 def partials(
     r: FloatArray, d: FloatArray, s: FloatArray, point: bool, terms: int, block: int, stride: int, step: int
 ) -> None:
@@ -75,7 +75,7 @@ def form(s: FloatArray, k: int, sign: float, tiny: float, block: int) -> tuple[T
     return normal, inverse, curvature.form_in_frame(du, dv, duu, duv, dvv, normal, inverse, sign)
 
 
-@scalar
+@unrolled
 def rows_of_net(f: FloatArray, net: FloatArray, r: FloatArray, functions: int, terms: int, block: int) -> None:
     """Fill ``r`` with the row derivatives of a block from the increments of shared functions and of control points.
 

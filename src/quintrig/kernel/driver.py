@@ -8,13 +8,12 @@ them unroll.
 from collections.abc import Callable
 from functools import cache
 
-import numpy as np
-
 from quintrig.kernel import contraction
 from quintrig.kernel.outputs import SCRATCH
 from quintrig.kernel.stores import FIRST, LAST
-from quintrig.support.arrays import FloatArray
-from quintrig.support.compiled import BLOCK, call, fence, loop
+from quintrig.support.arrays import FloatArray, aligned
+from quintrig.support.compiled import BLOCK, loop
+from quintrig.support.memory import address, call, fence, floats_at, table_at
 
 GRID, ROWS = -2, -1
 """What ``rows`` holds instead of functions that the rows share; see ``driver``."""
@@ -37,38 +36,46 @@ def driver(terms: int, functions: int) -> Driver:
     point of row 0; ``point`` asks for S itself, and
     ``finish`` is the address of what ``planes`` does with each block, the rest those of what it needs.
     """
-    # Only whole numbers may be held in the closure: they are part of the key under which the cache finds the driver.
+    # Only whole numbers may be held in the closure: they are part of the name under which the driver is found on disk.
     stride, step = (1, 0) if functions == GRID else (BLOCK, 1)
     coordinates = 3 * (1 + terms)
+    width = 3 * functions * BLOCK if functions >= 0 else 3 * coordinates * stride
 
     @loop
     def drive(
-        rows: FloatArray,
-        net: FloatArray,
-        blend: FloatArray,
+        rows: int,
+        net: int,
+        blend: int,
+        blocks: int,
+        scratch: int,
         start: int,
         stop: int,
         count: int,
         first: int,
-        point: bool,
+        point: int,
         finish: int,
         settings: int,
         floats: int,
         codes: int,
     ) -> None:
-        s = np.empty(SCRATCH)
-        contracted = np.empty(3 * coordinates * BLOCK if functions >= 0 else 0)
+        s = floats_at(scratch)
+        contracted = floats_at(scratch + 8 * SCRATCH)
+        increments = table_at(blend, blocks, 3 * terms * BLOCK)
         for i in range(start, stop):
-            for block in range(blend.shape[0]):
-                d = blend[block]
-                r = rows[i if functions == GRID else block]
+            for block in range(blocks):
+                d = increments[block]
+                r = floats_at(rows + 8 * width * (i if functions == GRID else block))
                 if functions >= 0:
-                    contraction.rows_of_net(r, net, contracted, functions, coordinates, BLOCK)
+                    contraction.rows_of_net(r, floats_at(net), contracted, functions, coordinates, BLOCK)
                     r = contracted
-                contraction.partials(r, d, s, point, terms, BLOCK, stride, step)
+                contraction.partials(r, d, s, point != 0, terms, BLOCK, stride, step)
                 j = block * BLOCK
                 end = (FIRST if j == 0 and i == start else 0) + (LAST if j + BLOCK >= count and i + 1 == stop else 0)
-                call(finish, s.ctypes.data, min(BLOCK, count - j), first + i * count + j, end, settings, floats, codes)
+                call(finish, scratch, min(BLOCK, count - j), first + i * count + j, end, settings, floats, codes)
         fence()
 
-    return drive
+    def run(rows: FloatArray, net: FloatArray, blend: FloatArray, *rest: int) -> None:
+        scratch = aligned((SCRATCH + (3 * coordinates * BLOCK if functions >= 0 else 0),))
+        drive(address(rows), address(net), address(blend), len(blend), address(scratch), *rest)
+
+    return run

@@ -9,7 +9,6 @@ the machine code: fused multiply-adds on full-width registers, packed roots and 
 """
 
 from collections.abc import Iterable
-from functools import cache
 from typing import NamedTuple
 
 import numpy as np
@@ -21,8 +20,8 @@ from quintrig.quantities import classify, curvature, invariants
 from quintrig.quantities.curvature import Three
 from quintrig.quantities.table import QUANTITIES
 from quintrig.support.arrays import FloatArray
-from quintrig.support.compiled import BLOCK, codes_at, floats_at, loop, scalar, words_at
-from quintrig.support.numba_inside import address
+from quintrig.support.compiled import BLOCK, loop, part, scalar
+from quintrig.support.memory import codes_at, floats_at, words_at
 
 Addresses = NDArray[np.int64]
 """Where each plane starts, 0 for one that nobody asked for."""
@@ -100,14 +99,13 @@ def needs(keys: Iterable[str]) -> int:
     return FORM if wanted <= _OF_FORM else FULL
 
 
-@cache
 def finish(need: int) -> int:
     """Return the address of the compiled function that turns partial derivatives into planes.
 
     It takes, as addresses or numbers: scratch, how many points of the block to write, how many points after the
     planes' starts, marks, settings, ``floats`` and ``codes``.
     """
-    return address((_gaussian_and_mean, _form_planes, _all_planes)[need])
+    return (_gaussian_and_mean, _form_planes, _all_planes)[need].address
 
 
 @loop
@@ -268,7 +266,7 @@ def _invariants(s: FloatArray, surface: bool, sign: float) -> None:
         _store(s, _OUT + 3, k, (six[3], six[4], six[5]))
 
 
-@loop
+@part
 def _write(
     scratch: int, row: int, rows: int, n: int, offset: int, end: int, floats: Addresses, slot: int, stream: bool
 ) -> None:

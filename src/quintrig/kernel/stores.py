@@ -4,7 +4,8 @@ Through the caches the processor first reads every line that it is about to over
 whole lines may go that way: a line written partly past the caches and partly through them costs more than either.
 """
 
-from quintrig.support.compiled import floats_at, scalar, stream_line
+from quintrig.support.compiled import scalar
+from quintrig.support.memory import floats_at, stream_line
 
 LINE = 8
 """Numbers in a cache line."""

@@ -1,8 +1,8 @@
 """The pictures of a patch: what is drawn, and what is said of each to those who do not see it."""
 
 import base64
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import partial
 
 import numpy as np
@@ -20,9 +20,11 @@ from quintrig.figure import (
     projections,
     seam_picture,
     space_picture,
+    to_bytes,
     to_png_bytes,
 )
-from quintrig.figure.field import field, zero_lines
+from quintrig.figure.field import field as field_of
+from quintrig.figure.field import zero_lines
 from quintrig.model.model import Model
 from quintrig.model.patch import Patch
 from quintrig.multipatch.joins import Joins
@@ -31,6 +33,7 @@ from quintrig.report.facts import Facts, has_effect
 from quintrig.report.wording import percent
 
 _DPI = 144
+_FILE_DPI = 300
 _WIDE, _SPACE, _HALF, _MAP, _THIRD = 9.0, 5.6, 4.8, 4.2, 3.7  # inches
 
 REASON_COLOURS = (
@@ -71,20 +74,22 @@ class Picture:
 
 @dataclass(frozen=True)
 class Image:
-    """A drawn picture, inlined: data URI, alternative text, size in CSS pixels."""
+    """A drawn picture, inlined: data URI, alternative text, size in CSS pixels; and as ``files``, by format."""
 
     source: str
     alt: str
     width: int
     height: int
+    files: Mapping[str, bytes] = field(default_factory=dict[str, bytes])
 
 
-def render(picture: Picture) -> Image:
-    """Draw a picture into the page."""
+def render(picture: Picture, formats: Sequence[str] = ()) -> Image:
+    """Draw a picture into the page, and as files of these formats."""
     figure = picture.draw()
     width, height = (float(x) for x in figure.get_size_inches())
     data = base64.b64encode(to_png_bytes(figure, _DPI)).decode("ascii")
-    return Image(f"data:image/png;base64,{data}", picture.alt, round(96 * width), round(96 * height))
+    files = {form: to_bytes(figure, form, _FILE_DPI) for form in formats}
+    return Image(f"data:image/png;base64,{data}", picture.alt, round(96 * width), round(96 * height), files)
 
 
 def overview(model: Model, joins: Joins) -> Iterator[Picture]:
@@ -132,7 +137,7 @@ def _lead(facts: Facts) -> Picture:
 def readings(facts: Facts) -> tuple[tuple[str, str], ...]:
     """Return ``SHOWN`` for a patch: lines of zeros are spoken of where it has any."""
     t = np.linspace(0.0, 1.0, 121)
-    drawn = {key for key in _ZEROS if zero_lines(field(facts.patch.surface, key, t, t))}
+    drawn = {key for key in _ZEROS if zero_lines(field_of(facts.patch.surface, key, t, t))}
     return tuple((key, reading + (_ZEROS[key] if key in drawn else "")) for key, reading in SHOWN)
 
 

@@ -1,6 +1,7 @@
 """The report on a model, written as one HTML file."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from concurrent.futures import Future
 from dataclasses import dataclass, replace
 from itertools import count
 from pathlib import Path
@@ -10,6 +11,8 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 from quintrig import __version__
+from quintrig.exchange.tables import TABLE_FORMATS, WRITERS
+from quintrig.figure.save import kind_of
 from quintrig.model.model import Model
 from quintrig.model.toml import to_toml
 from quintrig.multipatch.joins import Joins
@@ -25,6 +28,7 @@ from quintrig.report.pictures import Image, invariants_shown, overview, picture_
 from quintrig.report.wording import digits_of, measure, percent, prose
 from quintrig.studio import page as studio
 from quintrig.support.files import refuse_unwritable, write_whole
+from quintrig.support.processes import pool
 from quintrig.support.progress import Progress
 
 DETAILED = 4
@@ -51,14 +55,19 @@ def write_report(
     progress: Progress | None = None,
     grid: int = 129,
     thresholds: Thresholds | None = None,
+    figures: Sequence[str] = (),
+    processes: int | None = 1,
 ) -> Path:
     """Write a self-contained page on a model and return its path.
 
     That is ``out/index.html``, or ``out`` itself where it ends in .html.
-    ``grid`` points a side are classified, compared and searched for extremes. The page is written whole or not at all;
+    ``grid`` points a side are classified, compared and searched for extremes. ``figures`` are the formats, such as pdf,
+    in which every picture is a file beside the page too, with the tables of labelled points as CSV and LaTeX;
+    ``processes`` draw at once. The page is written whole or not at all;
     QuintrigError where it cannot be written, ValueError for fewer than 2 points.
     """
     target = _target(out)
+    formats = tuple(kind_of(Path(f"x.{form.lower().lstrip('.')}")) for form in figures)
     source = to_toml(model.to_dict())  # before all the work where it cannot be written
     thresholds = thresholds or Thresholds()
     detailed = len(model.patches) <= DETAILED
@@ -68,26 +77,53 @@ def write_report(
     total += curves.picture_count(model)
     total += sum(known.steps(patch, detailed) + picture_count(patch, detailed) for patch in model.patches)
     step = _steps(progress, total)
-    chapters: list[Chapter] = []
-    for index, patch in enumerate(model.patches):
-        name = f"{patch.name}: " if several else ""
-        found = known.gather(patch, model.unit, thresholds, grid, detailed, lambda what, name=name: step(name + what))
-        images: dict[str, Image] = {}
-        for picture in pictures(found, detailed):
-            step(f"{name}picture {picture.name}")
-            images[picture.name] = render(picture)
-        chapters.append(Chapter(found, images, f"patch-{index + 1}", detailed))
-    together: dict[str, Image] = {}
-    for picture in overview(model, joins) if joins is not None else ():
-        step(f"picture {picture.name}")
-        together[picture.name] = render(picture)
-    along = curves.curve_chapters(model, step)
     if not model.patches:
-        every = curves.together(model, step)
+        along, every = curves.curve_chapters(model, step), curves.together(model, step)
         step("writing the page")
         return write_whole(target, _curve_page(model, source, along, every))
+    drawn: list[tuple[str, dict[str, Future[Image]]]] = []
+    facts: list[Facts] = []
+    with pool(processes) as workers:
+        try:
+            for index, patch in enumerate(model.patches):
+                name = f"{patch.name}: " if several else ""
+                found = known.gather(patch, model.unit, thresholds, grid, detailed, lambda what, n=name: step(n + what))
+                facts.append(found)
+                waiting = {one.name: workers.submit(render, one, formats) for one in pictures(found, detailed)}
+                drawn.append((f"patch-{index + 1}", waiting))
+            seams = overview(model, joins) if joins is not None else ()
+            drawn.append(("together", {one.name: workers.submit(render, one, formats) for one in seams}))
+            images: list[dict[str, Image]] = []
+            for _, waiting in drawn:
+                images.append({})
+                for what, future in waiting.items():
+                    step(f"picture {what}")
+                    images[-1][what] = future.result()
+        finally:
+            workers.shutdown(wait=False, cancel_futures=True)
+    along = curves.curve_chapters(model, step)
+    chapters = [
+        Chapter(found, shown, anchor, detailed)
+        for found, shown, (anchor, _) in zip(facts, images[:-1], drawn[:-1], strict=True)
+    ]
     step("writing the page")
-    return write_whole(target, _page(model, source, chapters, together, joins, grid, thresholds, along))
+    if formats:
+        _write_beside(target.parent, chapters, images[-1])
+    return write_whole(target, _page(model, source, chapters, images[-1], joins, grid, thresholds, along))
+
+
+def _write_beside(folder: Path, chapters: list[Chapter], together: dict[str, Image]) -> None:
+    """Write every picture, and the table of the labelled points of every patch, as files into ``folder``."""
+    several = len(chapters) > 1
+    for anchor, shown in [*((one.anchor, one.images) for one in chapters), ("together", together)]:
+        start = f"{anchor}-" if several else ""
+        for name, image in shown.items():
+            for form, data in image.files.items():
+                write_whole(folder / "figures" / f"{start}{name}.{form}", data)
+    for chapter in chapters:
+        start = f"{chapter.anchor}-" if several else ""
+        for suffix, form in TABLE_FORMATS.items():
+            write_whole(folder / "tables" / f"{start}points{suffix}", WRITERS[form](chapter.facts.points))
 
 
 def _steps(progress: Progress | None, total: int) -> Callable[[str], None]:

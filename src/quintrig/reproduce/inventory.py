@@ -1,11 +1,13 @@
 """The inventory of what is rebuilt: which figure or table, what it shows, from which model."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
 from typing import Any, cast
 
 from quintrig.model.model import Model
+from quintrig.support.errors import nearest
 from quintrig.support.parsing import parse
 
 
@@ -61,6 +63,25 @@ def model_text(name: str) -> str:
 def model(name: str) -> Model:
     """Return a model of the reproduction by the name of its file."""
     return Model.from_dict(parse(model_text(name), ".toml"))
+
+
+def chosen(numbers: Sequence[str]) -> frozenset[str]:
+    """Return the keys of items by number (all that have it), name or key, such as ``4.3`` or ``figure 4.3``.
+
+    ValueError for one that is not in the inventory.
+    """
+    found: set[str] = set()
+    for text in numbers:
+        word = "-".join(text.casefold().replace("-", " ").split())
+        keys = {item.key for item in inventory() if word in (item.number.casefold(), item.key.casefold())}
+        if not keys:
+            every = list(dict.fromkeys(item.number for item in inventory()))
+            raise ValueError(
+                f"--only: expected the number of a figure or table, such as 4.3 or table-4.1, found {text!r}"
+                f"{nearest(text, every)}; quintrig reproduce --list shows all"
+            )
+        found |= keys
+    return frozenset(found)
 
 
 def inventory_text() -> str:

@@ -3,8 +3,7 @@
 import io
 import shutil
 import tempfile
-import threading
-from concurrent.futures import ThreadPoolExecutor, as_completed
+from concurrent.futures import as_completed
 from dataclasses import dataclass
 from importlib.resources import files
 from pathlib import Path
@@ -21,6 +20,7 @@ from quintrig.reproduce.inventory import Item, inventory, labelled_points, model
 from quintrig.reproduce.tables import PrintedTable, tables
 from quintrig.support.errors import QuintrigError
 from quintrig.support.files import refuse_unwritable, write_whole
+from quintrig.support.processes import pool
 from quintrig.support.progress import Progress
 
 FORMATS = ("png", "svg", "pdf")
@@ -41,11 +41,14 @@ class Built:
     tables: tuple[tuple[PrintedTable, tuple[str, ...]], ...] = ()
 
 
-def write_reproduction(out: Path, *, progress: Progress | None = None, only: frozenset[str] | None = None) -> Path:
+def write_reproduction(
+    out: Path, *, progress: Progress | None = None, only: frozenset[str] | None = None, processes: int | None = 1
+) -> Path:
     """Build every figure and table into the folder ``out`` and return the page's path.
 
-    ``only`` limits it to some items, by key such as ``figure-4.3``. An existing reproduction is replaced when the new
-    one is complete. Raises QuintrigError where ``out`` holds other files or cannot be written.
+    ``only`` limits it to some items, by key such as ``figure-4.3``; ``processes`` draw at once. An existing
+    reproduction is replaced when the new one is complete. Raises QuintrigError where ``out`` holds other files or
+    cannot be written.
     """
     if out.exists() and (not out.is_dir() or (any(out.iterdir()) and not (out / "inventory.toml").exists())):
         raise QuintrigError(f"{out}: expected a new or empty folder, or an earlier reproduction; choose another")
@@ -58,7 +61,7 @@ def write_reproduction(out: Path, *, progress: Progress | None = None, only: fro
         raise QuintrigError(f"{out}: cannot be written ({error.strerror or error}); choose another place") from None
     try:
         fresh = place / "new"
-        _write_all(fresh, items, progress)
+        _write_all(fresh, items, progress, processes)
         fresh.chmod(0o755)
         if out.exists():
             out.rename(place / "old")
@@ -70,16 +73,14 @@ def write_reproduction(out: Path, *, progress: Progress | None = None, only: fro
     return out / "index.html"
 
 
-def _write_all(folder: Path, items: list[Item], progress: Progress | None) -> None:
+def _write_all(folder: Path, items: list[Item], progress: Progress | None, processes: int | None) -> None:
     built: dict[str, Built] = {}
-    done = threading.Lock()
-    with ThreadPoolExecutor(2) as pool:
-        waiting = [pool.submit(_build, item, folder) for item in items]
+    with pool(processes) as workers:
+        waiting = [workers.submit(_build, item, folder) for item in items]
         try:
             for future in as_completed(waiting):
                 result = future.result()
-                with done:
-                    built[result.item.key] = result
+                built[result.item.key] = result
                 if progress:
                     progress(result.item.name, len(built), len(items))
         finally:

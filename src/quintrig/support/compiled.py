@@ -1,23 +1,26 @@
-"""The two ways in which quintrig compiles with Numba, as decorators that keep the types they are put on.
+"""Marks for what Numba compiles, and where compiled loops are kept.
 
-Compiled loops are kept on disk. Numba checks only the file that a loop is written in, not the files of the formulas
-inlined into it, so the folder's name carries a digest of all of them: after any change the loops are compiled anew,
-and two versions of quintrig never share one.
+A loop takes whole and real numbers only; arrays come as the addresses of their memory. So one loop is one piece of
+machine code with one entry, which the next process loads from disk without importing Numba at all: Numba and its
+registries take longer to import than every small command takes to run.
+
+A file of machine code holds for one processor and one version of Numba, by its name, and for the sources of quintrig
+that go into it, by the name of its folder: after any change the loops are compiled anew, and two versions of quintrig
+never share one.
 """
 
+import ctypes
 import hashlib
+import json
 import os
 import tempfile
 from collections.abc import Callable
+from functools import cache, cached_property
+from importlib.util import find_spec
+from inspect import get_annotations
 from pathlib import Path
-from typing import Any, TypeVar, cast
-from uuid import uuid4
-
-import numba
-import numba.extending
-from llvmlite import ir as _ir
-
-from quintrig.support.numba_inside import share_cache
+from threading import RLock
+from typing import Any, NamedTuple, TypeVar, cast
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -27,6 +30,8 @@ SOURCES = (
     "kernel/blocks",
     "quantities/classify",
     "support/compiled",
+    "support/machine_code",
+    "support/memory",
     "support/numba_inside",
     "kernel/contraction",
     "quantities/curvature",
@@ -44,93 +49,75 @@ BLOCK = 64
 """Points in a block: 38 scratch rows of half a KiB stay in a level-1 cache beside the increments. Measured best of 32,
 48, 64, 72, 96 and 128."""
 
-_PROCESS = uuid4().hex[:8]
 
-_config = cast(Any, numba).config
-_types = cast(Any, numba).types
-ir = cast(Any, _ir)
-_intrinsic = cast(Callable[[Any], Any], numba.extending.intrinsic)
-_njit = cast(Callable[..., Callable[[Any], Any]], numba.njit)
+class Use(NamedTuple):
+    """How loops use a function: put in place, or called; and whether it is compiled anew for other constants."""
 
-# NaN and infinity must survive, since they mark singular points, and sums keep their order, since differences such as
-# 1 - t carry the relative accuracy at the end points. Fused multiply-add and shared reciprocals are all that is gained.
-_FAST = {"contract", "nsz", "arcp"}
+    inlined: bool
+    constants: bool
+
+
+MARKED: dict[Callable[..., Any], Use] = {}
+"""The functions that loops are made of."""
+
+_LOCK = RLock()
 
 
 def scalar(function: Function) -> Function:
-    """Compile a scalar formula, inlined where it is used, so that the loop around it vectorises."""
-    return cast(Function, _njit(inline="always", error_model="numpy")(function))
+    """Mark a scalar formula, inlined where it is used, so that the loop around it vectorises."""
+    MARKED[function] = Use(inlined=True, constants=False)
+    return function
 
 
-def loop(function: Function) -> Function:
-    """Compile a loop over arrays that releases the interpreter, kept on disk where there is a folder to keep it in."""
-    folder = cache_folder()
-    before = _config.CACHE_DIR
-    try:
-        # Numba reads this setting as the decorator runs; other packages must not see ours.
-        _config.CACHE_DIR = str(folder or "")
-        options: dict[str, Any] = {"fastmath": _FAST, "error_model": "numpy", "nogil": True}
-        compiled = _njit(cache=folder is not None, **options)(function)
-    finally:
-        _config.CACHE_DIR = before
-    if folder is not None:
-        share_cache(compiled, _PROCESS)
-    return cast(Function, compiled)
+def unrolled(function: Function) -> Function:
+    """Mark loops over a number of terms that is a constant where they are used, so that they unroll there."""
+    MARKED[function] = Use(inlined=True, constants=True)
+    return function
 
 
-def _pointer(item: Any) -> Callable[[int], Any]:
-    """Return a compiled function from an address to a pointer that is indexed like an array."""
-
-    def typed(_context: Any, _address: Any) -> Any:
-        def generated(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-            return builder.inttoptr(arguments[0], context.get_value_type(signature.return_type))
-
-        return _types.CPointer(item)(_types.intp), generated
-
-    return cast(Callable[[int], Any], _intrinsic(typed))
+def part(function: Function) -> Function:
+    """Mark a part of a loop that is compiled once and called."""
+    MARKED[function] = Use(inlined=False, constants=False)
+    return function
 
 
-def _stream(_context: Any, _target: Any, _source: Any) -> Any:
-    def generated(context: Any, builder: Any, _signature: Any, arguments: Any) -> Any:
-        line = ir.VectorType(ir.DoubleType(), 8).as_pointer()
-        value = builder.load(builder.inttoptr(arguments[1], line), align=8)
-        store = builder.store(value, builder.inttoptr(arguments[0], line), align=64)
-        store.set_metadata("nontemporal", builder.module.add_metadata([ir.Constant(ir.IntType(32), 1)]))
-        return context.get_dummy_value()
+class Loop:
+    """A function of numbers that is compiled, or found on disk, when it is first needed; it releases the interpreter.
 
-    return _types.void(_types.intp, _types.intp), generated
+    Parameters annotated ``float`` are real numbers, all others whole ones; nothing is returned. It must not reserve
+    memory: Numba's way to do so is not there where Numba is not.
+    """
+
+    def __init__(self, function: Callable[..., None]) -> None:
+        """Take the function; only numbers may be held in its closure, since they are part of the name of its file."""
+        self.function = function
+        words = get_annotations(function)
+        self.kinds = tuple("d" if words[name] is float else "q" for name in words if name != "return")
+        cells = [cast(object, cell.cell_contents) for cell in function.__closure__ or ()]
+        if not all(isinstance(value, int) for value in cells):
+            raise TypeError(f"{function.__qualname__}: expected only whole numbers in its closure, found {cells}")
+        named = zip(function.__code__.co_freevars, cells, strict=True)
+        self.name = ".".join([function.__module__, function.__name__, *(f"{key}{int(n)}" for key, n in named)])  # type: ignore[call-overload]
+
+    def __call__(self, *numbers: float) -> None:
+        """Run it."""
+        self._entry(*numbers)
+
+    @cached_property
+    def address(self) -> int:
+        """Where its machine code begins."""
+        with _LOCK:
+            return _found(self) or _compiled(self)
+
+    @cached_property
+    def _entry(self) -> Callable[..., None]:
+        kinds = [ctypes.c_double if kind == "d" else ctypes.c_int64 for kind in self.kinds]
+        return ctypes.CFUNCTYPE(None, *kinds)(self.address)
 
 
-def _fence(_context: Any) -> Any:
-    def generated(context: Any, builder: Any, _signature: Any, _arguments: Any) -> Any:
-        builder.fence("seq_cst")
-        return context.get_dummy_value()
-
-    return _types.void(), generated
-
-
-def _call(_context: Any, _function: Any, _a: Any, _b: Any, _c: Any, _d: Any, _e: Any, _f: Any, _g: Any) -> Any:
-    def generated(context: Any, builder: Any, _signature: Any, values: Any) -> Any:
-        function = ir.FunctionType(ir.IntType(8).as_pointer(), [value.type for value in values[1:]])
-        builder.call(builder.inttoptr(values[0], function.as_pointer()), values[1:])
-        return context.get_dummy_value()
-
-    return _types.void(*[_types.intp] * 8), generated
-
-
-floats_at = _pointer(_types.float64)
-words_at = _pointer(_types.int64)
-codes_at = _pointer(_types.int8)
-"""Memory at an address, as numbers; whoever gives the address keeps the array alive."""
-
-call = cast(Callable[..., None], _intrinsic(_call))
-"""Call the compiled function at an address with seven whole numbers."""
-
-stream_line = cast(Callable[[int, int], None], _intrinsic(_stream))
-"""Copy eight numbers to an address at the start of a cache line, past the cache: the line is not read first."""
-
-fence = cast(Callable[[], None], _intrinsic(_fence))
-"""Make all streamed lines visible to other threads."""
+def loop(function: Callable[..., None]) -> Loop:
+    """Make a loop that is compiled when first needed, and kept on disk where there is a folder to keep it in."""
+    return Loop(function)
 
 
 def cache_folder() -> Path | None:
@@ -138,17 +125,80 @@ def cache_folder() -> Path | None:
 
     It lies in NUMBA_CACHE_DIR, else in XDG_CACHE_HOME/quintrig, else in ~/.cache/quintrig.
     """
+    folder = _folder()
+    try:
+        if folder is not None:
+            folder.mkdir(parents=True, exist_ok=True)
+            with tempfile.TemporaryFile(dir=folder):
+                return folder
+    except OSError:  # no permission, or a full disk
+        pass
+    return None
+
+
+def _folder() -> Path | None:
     named = os.environ.get("NUMBA_CACHE_DIR") or os.environ.get("XDG_CACHE_HOME")
     try:
-        folder = (Path(named) if named else Path.home() / ".cache") / "quintrig" / f"compiled-{_digest()}"
-        folder.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryFile(dir=folder):
-            return folder
-    except (OSError, RuntimeError):  # no permission, a full disk, or no home folder
+        return (Path(named) if named else Path.home() / ".cache") / "quintrig" / f"compiled-{_digest()}"
+    except (OSError, RuntimeError):  # no home folder, or sources that cannot be read
         return None
 
 
+def _found(wanted: Loop) -> int | None:
+    """Return where the loop's machine code from an earlier process is loaded to; None for a missing or broken file."""
+    from quintrig.support import machine_code
+
+    folder = _folder()
+    if folder is None:
+        return None
+    try:
+        data = (folder / _file(wanted)).read_bytes()
+    except OSError:
+        return None
+    return machine_code.load(data)
+
+
+def _compiled(wanted: Loop) -> int:
+    """Return where the loop lies after compiling it; its machine code is kept for later processes."""
+    from quintrig.support import machine_code, numba_inside
+
+    address, code = numba_inside.compiled(wanted)
+    folder = cache_folder()
+    if folder is not None:
+        try:
+            with tempfile.NamedTemporaryFile(dir=folder, suffix=".part", delete=False) as file:
+                try:
+                    file.write(machine_code.packed(code))
+                    file.close()
+                    Path(file.name).replace(folder / _file(wanted))
+                except BaseException:
+                    file.close()
+                    Path(file.name).unlink(missing_ok=True)
+                    raise
+        except OSError:  # a full disk
+            pass
+    return address
+
+
+def _file(wanted: Loop) -> str:
+    return f"{wanted.name}-{_machine()}.code"
+
+
+@cache
+def _machine() -> str:
+    """Return a digest of the processor and of Numba as it is installed and set up, without importing it."""
+    from quintrig.support import machine_code
+
+    found = find_spec("numba")
+    stamps: list[object] = []
+    if found is not None and found.origin:
+        about = Path(found.origin).with_name("_version.py").stat()
+        stamps = [about.st_mtime_ns, about.st_size]
+    settings = sorted((k, v) for k, v in os.environ.items() if k.startswith("NUMBA_") and k != "NUMBA_CACHE_DIR")
+    return hashlib.sha256(json.dumps([machine_code.processor(), stamps, settings]).encode()).hexdigest()[:12]
+
+
 def _digest() -> str:
-    """Return a digest of everything that compiled code depends on, Numba itself aside, which checks its own version."""
+    """Return a digest of everything in quintrig that compiled code depends on."""
     here = Path(__file__).parents[1]
     return hashlib.sha256(b"".join((here / f"{name}.py").read_bytes() for name in SOURCES)).hexdigest()[:16]

@@ -13,8 +13,9 @@ from quintrig.kernel import contraction
 from quintrig.kernel.contraction import DUU, DUV, DVV, PARTIALS, three
 from quintrig.quantities import classify, curvature
 from quintrig.quantities.classify import HK_TYPES
-from quintrig.support.arrays import FloatArray
+from quintrig.support.arrays import FloatArray, aligned
 from quintrig.support.compiled import loop, scalar
+from quintrig.support.memory import address, floats_at, stack_at, table_at
 from quintrig.support.tolerance import NOISE
 
 EXTREMES = ("gaussian", "mean", "curvedness")
@@ -166,33 +167,41 @@ def summariser(terms: int, block: int) -> Summariser:
     ``weights`` (n, p); ``wu`` (nu,) and ``wv`` (block,) quadrature weights, zero where v is padding; ``singular`` and
     ``flat`` as shares of the size; ``out`` (n, columns).
     """
+    width, increments, columns = 9 * (1 + terms), 3 * terms * block, len(COLUMNS)
 
     @loop
     def summarise(
-        rows: FloatArray,
-        blend: FloatArray,
-        weights: FloatArray,
-        wu: FloatArray,
-        wv: FloatArray,
+        all_rows: int,
+        all_blends: int,
+        all_weights: int,
+        designs: int,
+        parts: int,
+        count: int,
+        weights_u: int,
+        weights_v: int,
         sign: float,
         singular: float,
         relative: float,
         flat: float,
-        out: FloatArray,
+        scratch: int,
+        result: int,
     ) -> None:
-        r = np.empty((rows.shape[1], rows.shape[2]))
-        d = np.empty(3 * terms * block)
-        lanes = np.empty((_ACCUMULATORS, block))
-        s = np.empty(_SCRATCH * block)
-        for n in range(weights.shape[0]):
+        rows, blend = stack_at(all_rows, 1 + parts, count, width), table_at(all_blends, 1 + parts, increments)
+        weights, out = table_at(all_weights, designs, parts), table_at(result, designs, columns)
+        wu, wv = floats_at(weights_u), floats_at(weights_v)
+        s = table_at(scratch, 1, _SCRATCH * block)[0]
+        lanes = table_at(scratch + 8 * _SCRATCH * block, _ACCUMULATORS, block)
+        d = table_at(scratch + 8 * (_SCRATCH + _ACCUMULATORS) * block, 1, increments)[0]
+        r = table_at(scratch + 8 * ((_SCRATCH + _ACCUMULATORS) * block + increments), count, width)
+        for n in range(designs):
             d[:] = blend[0]
             r[:, :] = rows[0]
-            for p in range(weights.shape[1]):
+            for p in range(parts):
                 value = weights[n, p]
-                for x in range(d.size):
+                for x in range(increments):
                     d[x] += value * blend[p + 1, x]
-                for i in range(r.shape[0]):
-                    for x in range(r.shape[1]):
+                for i in range(count):
+                    for x in range(width):
                         r[i, x] += value * rows[p + 1, i, x]
             extent = _extent(r, d, s, terms, block)
             tiny = singular * extent * extent
@@ -206,4 +215,23 @@ def summariser(terms: int, block: int) -> Summariser:
                 _gather(s, wu[i], wv, lanes, relative, plane, block)
             _reduce(lanes, out[n])
 
-    return summarise
+    def run(
+        rows: FloatArray,
+        blend: FloatArray,
+        weights: FloatArray,
+        wu: FloatArray,
+        wv: FloatArray,
+        sign: float,
+        singular: float,
+        relative: float,
+        flat: float,
+        out: FloatArray,
+    ) -> None:
+        count = rows.shape[1]
+        scratch = aligned(((_SCRATCH + _ACCUMULATORS) * block + increments + count * width,))
+        parts = tuple(np.ascontiguousarray(array) for array in (rows, blend, weights, wu, wv))
+        r, b, w, u, v = (address(array) for array in parts)
+        settings = sign, singular, relative, flat
+        summarise(r, b, w, *weights.shape, count, u, v, *settings, address(scratch), address(out))
+
+    return run

@@ -56,7 +56,8 @@ Keys = dict[str, Any]
 class Definition(BaseModel):
     """Keys that every kind has."""
 
-    model_config = ConfigDict(extra="forbid", frozen=True)
+    # Built when a model first has the kind: most models have one of sixteen.
+    model_config = ConfigDict(extra="forbid", frozen=True, defer_build=True)
     title: ClassVar[str] = ""
     """What the kind is called at the head of a page."""
     words: ClassVar[str] = ""
