@@ -1,6 +1,7 @@
 """Trimmed faces: numbers are those of what the loops hold, against closed forms and OpenCASCADE."""
 
 import json
+from dataclasses import replace
 
 import mpmath
 import numpy as np
@@ -16,6 +17,7 @@ from quintrig.developables.unroll import Sheet, unroll
 from quintrig.exchange.cad.trim import area
 from quintrig.exchange.pattern.flatten import FlattenOptions, export_pattern
 from quintrig.exchange.pattern.layout import PatternOptions, bends
+from quintrig.figure.scene import Scene, bounds, share_outside
 from quintrig.geometry.nurbs import nurbs
 from quintrig.geometry.polygon import polygon
 from quintrig.report.facts import MARKS, marks_of
@@ -440,3 +442,11 @@ def test_methods_are_compared_on_the_face_alone():
     assert disc.count == sum(disc.counts()) == int(disc.inside.sum()) < 41 * 41
     assert [table.counts.sum() for table in disc.tables] == [disc.count] * 3
     assert sum(disc.shares()) == pytest.approx(1.0)
+
+
+def test_a_picture_of_a_face_does_not_count_what_its_loops_cut_off_as_not_drawn():
+    t = np.linspace(0.0, 2.0 * np.pi, 60, endpoint=False)
+    loop = 0.5 + 0.42 * np.stack([np.cos(t), np.sin(t)], axis=-1)
+    x, y = np.meshgrid(np.linspace(-1, 1, 6), np.linspace(-1, 1, 6), indexing="ij")
+    face = replace(quintrig.tensor(np.stack([x, y, 3.0 * x**4 + 2.0 * y**4], axis=-1)), trim=(loop,))
+    assert share_outside([face], bounds([face], Scene())) == 0.0

@@ -76,10 +76,7 @@ def bounds(surfaces: Sequence[Surface], scene: Scene) -> Box:
 
     A surface that runs off towards infinity, as a developable can, is cut: see ``share_outside``.
     """
-    clouds = [
-        np.concatenate([*rims(surface), mesh_points(surface, 60)[surface.inside(*face_grid(surface, 61, 61))]])
-        for surface in surfaces
-    ]
+    clouds = [np.concatenate([*rims(surface), _on_face(surface)]) for surface in surfaces]
     clouds = [_robust(cloud) for cloud in clouds]
     clouds += [surface.net.reshape(-1, 3) for surface in surfaces if scene.net and surface.net is not None]
     clouds += [trace.points for trace in scene.traces]
@@ -103,9 +100,14 @@ def single_point(surface: Surface) -> FloatArray | None:
 
 
 def share_outside(surfaces: Sequence[Surface], box: Box) -> float:
-    """Return the share of the (u, v) squares that lies outside the box and is not drawn, 0 to 1."""
-    within = [inside(mesh_points(surface, 60), box) for surface in surfaces]
+    """Return the share of the (u, v) squares, of trimmed faces within loops, that lies outside the box, 0 to 1."""
+    within = [inside(_on_face(surface), box) for surface in surfaces]
     return 1.0 - float(np.mean(np.concatenate(within))) if within else 0.0
+
+
+def _on_face(surface: Surface) -> FloatArray:
+    """Return points (n, 3) of a surface, none of what is cut off a trimmed face."""
+    return mesh_points(surface, 60)[surface.inside(*face_grid(surface, 61, 61))]
 
 
 def _robust(points: FloatArray) -> FloatArray:
