@@ -178,16 +178,16 @@ def _forms(s: FloatArray, full: bool, at: Settings) -> None:
     """Fill the scratch rows that follow from the partial derivatives; normal and frame only if ``full``."""
     for k in range(BLOCK):
         normal, inverse, (a, b, c) = form(s, k, at.sign, at.tiny, BLOCK)
-        mean, radius = curvature.mean(a, c), curvature.radius(a, b, c)
+        mean, half_difference = curvature.mean(a, c), curvature.half_difference(a, b, c)
         s[_A * BLOCK + k] = a
         s[_B * BLOCK + k] = b
         s[_C * BLOCK + k] = c
-        s[_R * BLOCK + k] = radius
+        s[_R * BLOCK + k] = half_difference
         s[_K * BLOCK + k] = curvature.gaussian(a, b, c)
         s[_H * BLOCK + k] = mean
-        s[_K1 * BLOCK + k] = mean + radius
-        s[_K2 * BLOCK + k] = mean - radius
-        s[_CURVED * BLOCK + k] = np.sqrt(mean * mean + radius * radius)
+        s[_K1 * BLOCK + k] = mean + half_difference
+        s[_K2 * BLOCK + k] = mean - half_difference
+        s[_CURVED * BLOCK + k] = np.sqrt(mean * mean + half_difference * half_difference)
         if full:
             du, side = three(s, DU, k, BLOCK), at.sign * inverse
             along = 1.0 / np.sqrt(curvature.dot(du, du))

@@ -108,9 +108,9 @@ def besl(gaussian: float, mean: float, curvedness: float, relative: float, flat:
 
 
 @scalar
-def point_type(code: int, gaussian: float, radius: float, curvedness: float, relative: float) -> int:
+def point_type(code: int, gaussian: float, half_difference: float, curvedness: float, relative: float) -> int:
     """Return the point type from Besl's number and K; umbilic where R <= relative C."""
-    bent = 5 if radius <= relative * curvedness else 1
+    bent = 5 if half_difference <= relative * curvedness else 1
     result = bent if gaussian > 0.0 else 2
     result = 3 if abs(gaussian) <= relative * curvedness * curvedness else result
     result = 4 if code == 5 else result

@@ -63,19 +63,19 @@ def mean(a: float, c: float) -> float:
 
 
 @scalar
-def radius(a: float, b: float, c: float) -> float:
+def half_difference(a: float, b: float, c: float) -> float:
     """Return R = (κ1 - κ2)/2, length⁻¹."""
     d = 0.5 * (a - c)
     return np.sqrt(d * d + b * b)
 
 
 @scalar
-def shape_index(mean: float, radius: float, curvedness: float, flat: float) -> float:
+def shape_index(mean: float, half_difference: float, curvedness: float, flat: float) -> float:
     """Return S = -(2/π) atan2(H, R), in [-1, 1], cap +1 (Koenderink and van Doorn 1992, with n outwards).
 
     NaN where the curvedness is not above ``flat`` (length⁻¹), rounding of a plane.
     """
-    return -2.0 / np.pi * _angle(mean, radius) if curvedness > flat else np.nan
+    return -2.0 / np.pi * _angle(mean, half_difference) if curvedness > flat else np.nan
 
 
 @scalar
@@ -109,11 +109,11 @@ def _angle(y: float, x: float) -> float:
 
 
 @scalar
-def principal_direction(a: float, b: float, c: float, radius: float) -> tuple[float, float]:
+def principal_direction(a: float, b: float, c: float, half_difference: float) -> tuple[float, float]:
     """Return cos θ, sin θ of the direction of κ1 in the frame e1, e2."""
     d = 0.5 * (a - c)
     # Of the two equal forms of the eigenvector, take the one without cancellation.
-    x = radius + d if d >= 0.0 else b
-    y = b if d >= 0.0 else radius - d
+    x = half_difference + d if d >= 0.0 else b
+    y = b if d >= 0.0 else half_difference - d
     inverse = 1.0 / np.sqrt(x * x + y * y)
     return x * inverse, y * inverse

@@ -99,8 +99,8 @@ def _points(s: FloatArray, sign: float, tiny: float, least: float, block: int) -
     """
     for k in range(block):
         _, inverse, (a, b, c) = contraction.form(s, k, sign, tiny, block)
-        mean, radius = curvature.mean(a, c), curvature.radius(a, b, c)
-        gauss, curved = curvature.gaussian(a, b, c), np.sqrt(mean * mean + radius * radius)
+        mean, half_difference = curvature.mean(a, c), curvature.half_difference(a, b, c)
+        gauss, curved = curvature.gaussian(a, b, c), np.sqrt(mean * mean + half_difference * half_difference)
         bend = least if curved < least else curved
         s[_K * block + k] = 0.0 if abs(gauss) <= NOISE * bend * bend else gauss
         s[_H * block + k] = 0.0 if abs(mean) <= NOISE * bend else mean

@@ -5,7 +5,7 @@
 
 import data from "../data.json";
 import { besl, pointType, shapeClass, type Thresholds } from "./classify";
-import { directionCos, directionSin, principalDirection, radius, shapeIndex } from "./curvature";
+import { directionCos, directionSin, principalDirection, halfDifference, shapeIndex } from "./curvature";
 import { planar, slopeForms, surface as ownMetric } from "./invariants";
 import { QUANTITY } from "./quantity";
 import { extent, type Surface } from "./surface";
@@ -19,7 +19,7 @@ const NOISE = data.limits.noise;
 
 /** Scratch planes, each of one number a point. */
 export const PLANE = {
-  a: 0, b: 1, c: 2, normal: 3, e1: 6, e2: 9, point: 12, forms: 15, mean: 21, radius: 22, gaussian: 23, curvedness: 24,
+  a: 0, b: 1, c: 2, normal: 3, e1: 6, e2: 9, point: 12, forms: 15, mean: 21, halfDifference: 22, gaussian: 23, curvedness: 24,
 } as const;
 const PLANES = 25;
 
@@ -158,7 +158,7 @@ export class Grid {
     const ratio = f / e;
     const a = el / e, b = (em - ratio * el) * inverse;
     const c = (en - 2 * ratio * em + ratio * ratio * el) * (e * inverse) * inverse;
-    const mean = 0.5 * (a + c), r = radius(a, b, c);
+    const mean = 0.5 * (a + c), r = halfDifference(a, b, c);
     const unit = 1 / Math.sqrt(e), x = ux * unit, y = uy * unit, z = uz * unit;
     s[p] = a;
     s[n + p] = b;
@@ -210,7 +210,7 @@ function write(grid: Grid, key: string, out: Numbers, thresholds: Thresholds): v
     case "k1":
     case "k2": {
       const side = key === "k1" ? 1 : -1;
-      for (let p = 0; p < count; p++) out[p] = s[PLANE.mean * n + p]! + side * s[PLANE.radius * n + p]!;
+      for (let p = 0; p < count; p++) out[p] = s[PLANE.mean * n + p]! + side * s[PLANE.halfDifference * n + p]!;
       return;
     }
     case "direction1":
@@ -224,7 +224,7 @@ function write(grid: Grid, key: string, out: Numbers, thresholds: Thresholds): v
     case "point_type":
       for (let p = 0; p < count; p++) {
         const code = beslAt(s, n, p, relative, flat);
-        out[p] = pointType(code, s[PLANE.radius * n + p]!, s[PLANE.curvedness * n + p]!, relative);
+        out[p] = pointType(code, s[PLANE.halfDifference * n + p]!, s[PLANE.curvedness * n + p]!, relative);
       }
       return;
     case "shape_class":
@@ -256,7 +256,7 @@ function beslAt(s: Float64Array, n: number, p: number, relative: number, flat: n
 }
 
 function indexAt(s: Float64Array, n: number, p: number, noise: number): number {
-  return shapeIndex(s[PLANE.mean * n + p]!, s[PLANE.radius * n + p]!, s[PLANE.curvedness * n + p]!, noise);
+  return shapeIndex(s[PLANE.mean * n + p]!, s[PLANE.halfDifference * n + p]!, s[PLANE.curvedness * n + p]!, noise);
 }
 
 function invariantsAt(grid: Grid, p: number, inPlane: boolean): void {
@@ -271,7 +271,7 @@ function invariantsAt(grid: Grid, p: number, inPlane: boolean): void {
 function directions(grid: Grid, second: boolean, relative: number, noise: number, out: Numbers): void {
   const { planes: s, stride: n, count } = grid;
   for (let p = 0; p < count; p++) {
-    const r = s[PLANE.radius * n + p]!;
+    const r = s[PLANE.halfDifference * n + p]!;
     const bend = s[PLANE.curvedness * n + p]!, clear = r > relative * bend && bend > noise;
     principalDirection(s[p]!, s[n + p]!, s[2 * n + p]!, r);
     for (let x = 0; x < 3; x++) {

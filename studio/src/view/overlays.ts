@@ -173,7 +173,7 @@ export class Overlays {
   private directions(mesh: SurfaceMesh): void {
     const { planes: s, stride, size } = mesh.grid;
     each(mesh, (p, spacing) => {
-      const r = s[PLANE.radius * stride + p]!;
+      const r = s[PLANE.halfDifference * stride + p]!;
       if (!(r > RELATIVE * s[PLANE.curvedness * stride + p]! && s[PLANE.curvedness * stride + p]! * size > 1e-9)) return;
       principalDirection(s[p]!, s[stride + p]!, s[2 * stride + p]!, r);
       const x = mesh.position.subarray(3 * p, 3 * p + 3), half = 0.36 * spacing;

@@ -19,7 +19,7 @@ export function sharpest(surface: Surface, mesh: SurfaceMesh): Sharpest | null {
   const { planes: s, stride, count, nu, nv } = mesh.grid;
   let best = 0, at = -1;
   for (let p = 0; p < count; p++) {
-    const bend = Math.abs(s[PLANE.mean * stride + p]!) + s[PLANE.radius * stride + p]!;
+    const bend = Math.abs(s[PLANE.mean * stride + p]!) + s[PLANE.halfDifference * stride + p]!;
     if (bend > best && bend < Infinity && mesh.covered[p]) {
       best = bend;
       at = p;
