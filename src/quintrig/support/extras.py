@@ -13,6 +13,7 @@ EXTRAS = {
     "polars": ("sweep", "Polars"),
     "pyarrow": ("sweep", "pyarrow"),
     "distributed": ("cluster", "Dask's distributed"),
+    "xarray": ("frames", "xarray"),
     "zarr": ("stream", "Zarr"),
 }
 """The extra of this package and the name of the project, by Python module."""
