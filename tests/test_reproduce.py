@@ -10,7 +10,7 @@ from PIL import Image
 
 import quintrig
 from quintrig.quantities.classify import HK_TYPES
-from quintrig.reproduce import inventory, inventory_text, write_reproduction
+from quintrig.reproduce import chosen, inventory, inventory_text, write_reproduction
 from quintrig.reproduce.figures import draw
 from quintrig.reproduce.inventory import labelled_points, model, model_text
 from quintrig.reproduce.tables import tables
@@ -126,3 +126,10 @@ def test_other_files_are_kept(tmp_path):
     assert (tmp_path / "thesis.txt").read_text() == "mine"
     with pytest.raises(QuintrigError, match="cannot be written"):
         write_reproduction(tmp_path / "thesis.txt" / "below")
+
+
+def test_only_takes_numbers_names_and_keys():
+    assert chosen(["4.3"]) == {item.key for item in inventory() if item.number == "4.3"}
+    assert chosen(["Figure 4.3"]) == chosen(["figure-4.3"]) == {"figure-4.3"}
+    with pytest.raises(ValueError, match=r"--only: expected the number of a figure or table.*found '9\.99'"):
+        chosen(["9.99"])

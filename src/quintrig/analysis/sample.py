@@ -65,6 +65,24 @@ class Sample(Pickled):
         """Unit normals, shape (*shape, 3); NaN at singular points."""
         return self["normal"]
 
+    def to_dataframe(self) -> Any:
+        """Return a table with a row for each point: u, v and the quantities, a vector as three columns.
+
+        It is pandas' where that is installed, else polars'; classes are their names. QuintrigError where neither is.
+        """
+        from quintrig.analysis.frames import dataframe
+
+        return dataframe(self)
+
+    def to_xarray(self) -> Any:
+        """Return an xarray Dataset: quantities over u and v on a grid, over points otherwise, vectors over x, y, z.
+
+        Classes are codes, their names in the attributes. QuintrigError where xarray is not installed.
+        """
+        from quintrig.analysis.frames import dataset
+
+        return dataset(self)
+
     @property
     def singular(self) -> BoolArray:
         """True where the surface has no tangent plane and every curvature is NaN."""

@@ -7,14 +7,27 @@ import typer
 from quintrig.cli import session
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from rich.console import Console
 
     from quintrig.analysis.table import Column, Table
 
 
+_LISTED = 2  # rows that are easier to read down the screen than across
+
+
 def print_table(table: "Table", console: "Console") -> None:
-    """Print a table with its notes; one too wide for the screen is cut into parts below one another."""
+    """Print a table with its notes: one or two rows as a list down the screen, more as a table across it.
+
+    A table too wide for the screen is cut into parts below one another.
+    """
     from rich.markup import escape
+
+    if 1 <= len(table.columns[0].values) <= _LISTED:
+        for line in listed(table):
+            console.print(line, markup=False, soft_wrap=True)
+        return
 
     if table.title:
         console.print(f"[bold]{escape(table.title)}[/bold]")
@@ -22,6 +35,24 @@ def print_table(table: "Table", console: "Console") -> None:
         console.print(_drawn(columns, table.lead))
     for note in table.notes:
         console.print(f"[dim]{escape(note)}[/dim]")
+
+
+def listed(table: "Table") -> "Iterator[str]":
+    """Return the lines of a table of few rows as a list: one quantity a line, one row of the table a column."""
+    from quintrig.exchange.tables import shown
+
+    if table.title:
+        yield table.title
+    cells = [[shown(value) for value in column.rounded] for column in table.columns]
+    names = [column.symbol for column in table.columns]
+    widths = [max(len(row[k]) for row in cells) for k in range(len(cells[0]))]
+    for name, row, column in zip(names, cells, table.columns, strict=True):
+        values = "   ".join(
+            cell.ljust(width) if column.is_text else cell.rjust(width) for cell, width in zip(row, widths, strict=True)
+        )
+        unit = "" if column.unit == "" else f"   {column.unit}"
+        yield f"  {name:<{max(map(len, names))}}   {values}{unit}".rstrip()
+    yield from table.notes
 
 
 def list_quantities(wanted: bool) -> None:

@@ -13,6 +13,7 @@ EXTRAS = {
     "polars": ("sweep", "Polars"),
     "pyarrow": ("sweep", "pyarrow"),
     "distributed": ("cluster", "Dask's distributed"),
+    "xarray": ("frames", "xarray"),
     "zarr": ("stream", "Zarr"),
     "pyvista": ("tools", "PyVista"),
     "build123d": ("tools", "build123d"),

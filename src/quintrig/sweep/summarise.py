@@ -85,8 +85,9 @@ def _extent(r: FloatArray, d: FloatArray, s: FloatArray, terms: int, block: int)
                 for m in range(terms):
                     value += row[3 * (m + 1) + axis] * d[m * block + k]
                 s[k] = value
-            low = min(low, s[:block].min())
-            high = max(high, s[:block].max())
+            for k in range(block):
+                low = min(low, s[k])
+                high = max(high, s[k])
         square += (high - low) ** 2
     return np.sqrt(square)
 
@@ -142,21 +143,37 @@ def _gather(
 
 
 @scalar
+def _least(values: FloatArray) -> float:
+    least = np.inf
+    for k in range(values.size):
+        least = min(least, values[k])
+    return least
+
+
+@scalar
+def _total(values: FloatArray) -> float:
+    total = 0.0
+    for k in range(values.size):
+        total += values[k]
+    return total
+
+
+@scalar
 def _reduce(lanes: FloatArray, row: FloatArray) -> None:
     """Turn the lanes into the columns of a summary."""
     for q in range(3):
-        low, high = lanes[2 * q].min(), -lanes[2 * q + 1].min()
+        low, high = _least(lanes[2 * q]), -_least(lanes[2 * q + 1])
         row[2 * q] = low if low < np.inf else np.nan
         row[2 * q + 1] = high if high > -np.inf else np.nan
-    area = lanes[_SUMS].sum()
+    area = _total(lanes[_SUMS])
     row[_SUMS] = area
     for q in range(1, 4):
-        row[_SUMS + q] = lanes[_SUMS + q].sum() / area
-    row[_SUMS + 4] = lanes[_SUMS + 4].sum()
-    row[_SUMS + 5] = lanes[_SUMS + 5].sum()
+        row[_SUMS + q] = _total(lanes[_SUMS + q]) / area
+    row[_SUMS + 4] = _total(lanes[_SUMS + 4])
+    row[_SUMS + 5] = _total(lanes[_SUMS + 5])
     for code in range(9):
-        row[_SHARES + code] = lanes[_SHARES + code].sum() / area
-    row[_SINGULAR] = lanes[_SINGULAR].sum()
+        row[_SHARES + code] = _total(lanes[_SHARES + code]) / area
+    row[_SINGULAR] = _total(lanes[_SINGULAR])
 
 
 @cache
@@ -194,8 +211,12 @@ def summariser(terms: int, block: int) -> Summariser:
         d = table_at(scratch + 8 * (_SCRATCH + _ACCUMULATORS) * block, 1, increments)[0]
         r = table_at(scratch + 8 * ((_SCRATCH + _ACCUMULATORS) * block + increments), count, width)
         for n in range(designs):
-            d[:] = blend[0]
-            r[:, :] = rows[0]
+            # Number by number: Numba copies a row that it cannot tell apart from its target, in memory of its own.
+            for x in range(increments):
+                d[x] = blend[0, x]
+            for i in range(count):
+                for x in range(width):
+                    r[i, x] = rows[0, i, x]
             for p in range(parts):
                 value = weights[n, p]
                 for x in range(increments):
@@ -207,8 +228,9 @@ def summariser(terms: int, block: int) -> Summariser:
             tiny = singular * extent * extent
             least = 1.0 / extent if extent > 0.0 else np.inf
             plane = flat * least
-            lanes[:_SUMS] = np.inf
-            lanes[_SUMS:] = 0.0
+            for x in range(_ACCUMULATORS):
+                for k in range(block):
+                    lanes[x, k] = np.inf if x < _SUMS else 0.0
             for i in range(r.shape[0]):
                 contraction.partials(r[i], d, s, False, terms, block, 1, 0)
                 _points(s, sign, tiny, least, block)
