@@ -155,7 +155,8 @@ def test_a_curve_is_started_from_the_menu_and_surfaces_come_back(context, folder
                     f".startsWith('{name}')")  # fmt: skip
         page.evaluate(DRAW)
         assert page.locator(".legend").is_hidden() == (name == "My curve")
-        drawn = "document.querySelector('[data-quintrig]').studio.stage.cells[0].pieces[0].overlays.lines.curve.mesh.visible"
+        piece = "document.querySelector('[data-quintrig]').studio.stage.cells[0].pieces[0]"
+        drawn = f"{piece}.overlays.lines.curve.mesh.visible"
         assert page.evaluate(drawn) == (name == "My curve")
         assert page.get_by_label("Colour by").is_visible() == (name != "My curve")
     assert problems == []
