@@ -75,6 +75,15 @@ def test_every_panel_unfolded_and_every_overlay_on(page):
     assert "\n".join(findings(page)) == ""
 
 
+def test_a_curve_its_text_and_a_mistake_in_it(page):
+    opened_model(page, {"kind": "curve", "basis": "sg_bezier", "points": [[0, 0], [1, 3], [4, 2], [5, 0]]})
+    page.get_by_text("Model as text").click()
+    page.locator(".model-text textarea").fill("kind = 'kurve'")
+    page.locator(".model-text .error").wait_for(state="visible")
+    page.evaluate("document.querySelector('[data-quintrig]').studio.store.set({ pins: [{ patch: 0, u: 0.3, v: 0 }] })")
+    assert "\n".join(findings(page)) == ""
+
+
 @pytest.mark.parametrize("key", ["hk_type", "shape_index", "none"])
 def test_other_quantities(page, key):
     page.get_by_label("Colour by").select_option(key)

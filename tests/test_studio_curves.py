@@ -155,6 +155,9 @@ def test_a_curve_is_started_from_the_menu_and_surfaces_come_back(context, folder
                     f".startsWith('{name}')")  # fmt: skip
         page.evaluate(DRAW)
         assert page.locator(".legend").is_hidden() == (name == "My curve")
+        piece = "document.querySelector('[data-quintrig]').studio.stage.cells[0].pieces[0]"
+        drawn = f"{piece}.overlays.lines.curve.mesh.visible"
+        assert page.evaluate(drawn) == (name == "My curve")
         assert page.get_by_label("Colour by").is_visible() == (name != "My curve")
     assert problems == []
 

@@ -77,6 +77,20 @@ def test_a_model_shows_itself_and_what_cannot_be_shown_says_what_it_is():
         as_model(odd)
 
 
+def test_curves_show_themselves_with_a_picture_and_a_line():
+    points = [[0, 0], [3, 0], [3, 4]]  # a polygon of length 7, whose Bernstein curve is shorter
+    model = quintrig.Model.from_dict({"kind": "curve", "unit": "mm", "basis": "bernstein", "points": points})
+    data = model._repr_mimebundle_()[0]
+    assert data["image/png"]
+    assert f"one curve, length {model.curve().curve.length():.4g} mm" in data["text/plain"]
+
+
+def test_bases_that_the_page_does_not_hold_come_with_the_view():
+    points = RANDOM.uniform(-1, 1, (20, 2)).tolist()
+    view = show(quintrig.Model.from_dict({"kind": "curve", "basis": "lambda_bezier", "points": points}))
+    assert [(one["name"], list(one["formulas"])) for one in view.brought["library"]] == [("lambda_bezier", ["20"])]
+
+
 def test_an_unknown_quantity_is_refused():
     with pytest.raises(ValueError, match="gaussian"):
         show(SURFACES["tensor"], "gausian")

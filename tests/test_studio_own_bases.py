@@ -172,6 +172,22 @@ def test_a_basis_is_copied_to_one_of_the_users_own(context, tmp_path):
     one.stop()
 
 
+def test_what_moves_with_the_origin_says_so(context, own):
+    page = opened(context, own.site.address)
+    box = text(page, "Whole file")
+    box.fill(
+        box.input_value()
+        .replace("t^2*(1-mu*r)", "1.1*t^2*(1-mu*r)")
+        .replace("basis =", "unchecked_basis = true\nbasis =")
+    )
+    no_mistake(page)
+    until(page, "document.querySelector('[data-quintrig]').studio.root.querySelector('.warning').textContent !== ''")
+    warning = page.locator(".status .warning").inner_text()
+    assert "do not sum to 1 (off by 0.0909" in warning
+    assert "the surface moves with the origin" in warning
+    is_drawn(page)
+
+
 def test_a_page_from_disk_needs_no_python(context, tmp_path):
     problems = []
     (tmp_path / "m.toml").write_text(OWN)

@@ -45,7 +45,7 @@ def view(
                 f"{model}: the studio opens models, .toml or .json; "
                 f"make one of a CAD file first: quintrig import {model.name} -o {model.stem}.toml"
             )
-        session.load(model)  # a bad model is told here, before anything is opened
+        session.load_any(model)  # a bad model is told here, before anything is opened
     try:
         from quintrig.studio import server
     except ModuleNotFoundError as error:

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from concurrent.futures import Future
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import count
 from pathlib import Path
 from typing import Any
@@ -168,7 +168,7 @@ def _page(
             signs=SIGN_TABLES,
             basis=[mathml(latex) for latex in kinds.BASIS],
             other_bases=kinds.other_bases(model.patches),
-            viewer=Markup(studio.viewer(replace(model, curves=()))) if live else "",
+            viewer=Markup(studio.viewer(model)) if live else "",
             code=Markup(studio.code()) if live else "",
             policy=studio.policy(),
         )

@@ -5,10 +5,14 @@ from typing import Any
 
 from quintrig.basis.formulas import Basis
 from quintrig.basis.library import LIBRARY, Entry
+from quintrig.basis.registry import _KEYS, bases  # pyright: ignore[reportPrivateUsage] — the browser reads tables too
 from quintrig.model.model import Model
 
 MOST_POINTS = 16
 """Control points up to which the bundle holds formulas: those for more come with a model that needs them."""
+
+KEYS = _KEYS
+"""Keys of the table of a basis."""
 
 _BY_NAME = {one.name: one for one in LIBRARY}
 
@@ -16,6 +20,12 @@ _BY_NAME = {one.name: one for one in LIBRARY}
 def library() -> list[dict[str, Any]]:
     """Return the bases that the bundle holds."""
     return [_told(one, (n for n in one.sizes if n <= MOST_POINTS)) for one in LIBRARY]
+
+
+def installed_bases() -> list[dict[str, Any]]:
+    """Return the bases that installed packages bring."""
+    brought = [one for name, one in bases().items() if name not in _BY_NAME]
+    return [_told(one, (n for n in one.sizes if n <= MOST_POINTS)) for one in brought]
 
 
 def beyond(model: Model) -> list[dict[str, Any]]:

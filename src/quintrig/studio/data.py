@@ -27,7 +27,7 @@ from quintrig.quantities.signs import CLASSES, POINTS, TYPES, SignTable
 from quintrig.quantities.table import BY_KEY, QUANTITIES, Quantity
 from quintrig.shaping.shape_effect import SHAPE_SETS
 from quintrig.studio import built
-from quintrig.studio.bases import library
+from quintrig.studio.bases import KEYS, library
 from quintrig.studio.kinds import kind
 from quintrig.studio.page import as_json
 from quintrig.support.arrays import LARGEST
@@ -70,6 +70,7 @@ def table() -> dict[str, Any]:
         "shapeBreaks": list(SHAPE_BREAKS),
         "families": [*built.FAMILIES.values(), "chebyshev"],
         "library": library(),
+        "basisKeys": list(KEYS),
         "words": {key: _words(BY_KEY[key], signs) for key, signs in WORDS.items()},
         "kinds": {name: kind(form) for name, form in DRAWN.items()},
         "palette": {

@@ -77,8 +77,14 @@ def rows(reasons: dict[str, str]) -> list[dict[str, str]]:
 
 def _refuse(model: Model, form: Format, patch: str | None) -> None:
     """Raise the error of writing a format as far as that is told by little work."""
-    model.refuse_curves()
-    if form.family in ("cad", "mesh"):
+    if not model.patches:  # curves are soon written: what cannot be is told by that
+        with tempfile.TemporaryDirectory(prefix="quintrig-") as folder:
+            path = Path(folder) / f"{_ANY}{form.suffix}"
+            try:
+                _written(model, path, form, Order(form.suffix))
+            except (QuintrigError, ValueError) as error:
+                raise QuintrigError(str(error).replace(str(path), path.name)) from None
+    elif form.family in ("cad", "mesh"):
         refuse_point(model)
     elif form.family == "net":
         net_paths(model, Path(f"{_ANY}{form.suffix}"))
@@ -116,7 +122,7 @@ def export(model: Model, order: Order) -> Exported:
 
 def _written(model: Model, path: Path, form: Format, order: Order) -> tuple[str, ...]:
     # Each pulls in what only its formats need.
-    if form.family == "pattern":
+    if form.family == "pattern" and model.patches:
         from quintrig.exchange.pattern.flatten import FlattenOptions, export_pattern
 
         return export_pattern(model.patch(order.patch), model.unit, path, FlattenOptions(chord=order.tolerance))

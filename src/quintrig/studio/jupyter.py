@@ -75,8 +75,10 @@ def show(subject: Subject, key: str = "gaussian", height: int = 560) -> View:
     """
     model = as_model(subject)
     brought = installed()
-    if "built" in (told := for_page(model)):
-        brought["built"] = told["built"]
+    told = for_page(model)
+    for part in ("built", "library"):
+        if part in told:
+            brought[part] = [*brought.get(part, ()), *told[part]]
     return View(model=model.to_dict(), quantity=key, height=height, brought=brought)
 
 

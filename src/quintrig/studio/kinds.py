@@ -11,6 +11,7 @@ from quintrig.model.kinds.definition import Definition
 from quintrig.model.kinds.registry import OWN, kinds
 from quintrig.model.model import Model
 from quintrig.model.starter import starter
+from quintrig.studio.bases import installed_bases
 from quintrig.studio.built import for_page
 from quintrig.support.errors import QuintrigError
 from quintrig.support.parsing import parse
@@ -34,11 +35,15 @@ def kind(form: type[Definition]) -> dict[str, Any]:
 def installed(names: Iterable[str] | None = None) -> dict[str, Any]:
     """Return tables and starters of the kinds that installed packages bring, all or those named; nothing without any.
 
+    All come with the bases that packages bring; those of a model travel with it.
+
     The bundle holds the tables of quintrig's own kinds, and knows nothing of others until a page tells it.
     """
     forms = {name: form for name, form in kinds().items() if name not in OWN and (names is None or name in names)}
+    bases = installed_bases() if names is None else []
+    library = {"library": bases} if bases else {}
     if not forms:
-        return {}
+        return library
     starters: dict[str, Any] = {}
     for name in forms:
         try:
@@ -48,7 +53,7 @@ def installed(names: Iterable[str] | None = None) -> dict[str, Any]:
     tables = {name: kind(form) for name, form in forms.items()}
     for name in forms.keys() - starters.keys():
         tables[name]["construction"] = False
-    return {"kinds": tables, "starters": starters}
+    return {"kinds": tables, "starters": starters} | library
 
 
 def _field(form: type[Definition], key: str, schema: dict[str, Any]) -> dict[str, Any]:

@@ -16,7 +16,7 @@ def png(model: Model, key: str) -> bytes:
     # matplotlib is slow to import, and only pictures need it.
     from quintrig.figure import Scene, plane_curves, space_curves, space_picture, to_png_bytes
 
-    if model.curves:
+    if not model.patches:
         curves = [one.curve for one in model.curves]
         draw = plane_curves if curves[0].points.shape[1] == 2 else space_curves
         return to_png_bytes(
@@ -32,7 +32,7 @@ def png(model: Model, key: str) -> bytes:
 
 def text(model: Model, key: str) -> str:
     """Return what is shown in one line: name, kinds, size and the quantity that colours it."""
-    if model.curves:
+    if not model.patches:
         count = len(model.curves)
         parts = ", ".join(f"{one.curve.length():.4g} {model.unit}".rstrip() for one in model.curves[:4])
         what = "one curve, length" if count == 1 else f"{count} curves, lengths"

@@ -4,6 +4,7 @@
  * a change of, and that file's tag: restored, it can only be saved there, and only over the version it was made from.
  */
 
+import { learnBases, toldBases, type ToldBasis } from "../numerics/library";
 import { fromDict, toDict } from "../numerics/model";
 import type { Source, State, Store, Work } from "./state";
 
@@ -25,6 +26,8 @@ interface Stored {
   readonly model: unknown;
   readonly saved?: unknown;
   readonly source?: Source | null;
+  /** Bases that the page does not have by itself. */
+  readonly library?: readonly ToldBasis[];
 }
 
 const MOST_OFFERS = 3;
@@ -76,7 +79,7 @@ export class Drafts {
   private keep({ model, saved, source }: State): boolean {
     try {
       if (model === saved) localStorage.removeItem(this.key);
-      else localStorage.setItem(this.key, JSON.stringify({ when: Date.now(), model: toDict(model), saved: toDict(saved), source }));
+      else localStorage.setItem(this.key, JSON.stringify({ when: Date.now(), model: toDict(model), saved: toDict(saved), source, library: toldBases() }));
       return true;
     } catch {
       return false; // no storage here, or it is full
@@ -90,7 +93,8 @@ export class Drafts {
     for (const key of keys()) {
       if (!key.startsWith(`${PREFIX}${this.place}:`) || key === this.key || held.has(key)) continue;
       try {
-        const { when, model, saved, source } = JSON.parse(localStorage.getItem(key)!) as Stored;
+        const { when, model, saved, source, library } = JSON.parse(localStorage.getItem(key)!) as Stored;
+        learnBases(library ?? []);
         const drawn = fromDict(model);
         // A draft of an earlier version says nothing of its file: it has none.
         found.push({ key, when, model: drawn, saved: saved ? fromDict(saved) : { ...drawn }, source: source ?? null });

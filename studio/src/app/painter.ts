@@ -87,7 +87,6 @@ export class Painter {
       if (isCurve(patch)) return this.curve(piece, patch, frame);
       if (piece.patch !== patch) piece.surface = build(patch);
       if (piece.curve.length) piece.overlays.curve((piece.curve = []), frame, 0);
-      piece.mesh.mesh.visible = true;
     } catch (error) {
       this.fail((error as Error).message);
       return 0;
@@ -104,7 +103,7 @@ export class Painter {
   private curve(piece: Piece, patch: Patch, frame: Frame): number {
     piece.curve = curveOf(patch).sample(CURVE);
     Object.assign(piece, { surface: null, patch, side: this.side, frame, lines: "", net: "" });
-    piece.mesh.mesh.visible = false;
+    piece.mesh.clear();
     piece.overlays.edge([], frame);
     return 0;
   }

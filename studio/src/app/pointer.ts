@@ -1,7 +1,6 @@
 /** The pointer over the picture: turn, pan, zoom, drag control points, look at and pin points. */
 
 import { handlesOf, moved, type Handle } from "../edit/handles";
-import { isCurve } from "../numerics/curve";
 import { follow, onGrid, wayOf, type Way } from "../edit/way";
 import { toModel, toScene, type Frame } from "../view/frame";
 import { gizmo, partAt, pixelAt } from "../view/gizmo";
@@ -161,8 +160,7 @@ export function listen(canvas: HTMLCanvasElement, around: Surroundings): void {
 
   /** The place on a surface, or on a curve, under the pointer. */
   function placeAt(x: number, y: number): { cell: number; piece: number; u: number; v: number } | null {
-    if (isCurve(activePatch(store.state))) return stage.pickCurve(x, y, around.frame(), NEAR);
-    return stage.pick(x, y, store.state.settings, around.frame());
+    return stage.pickCurve(x, y, around.frame(), NEAR) ?? stage.pick(x, y, store.state.settings, around.frame());
   }
 
   function look(x: number, y: number): void {

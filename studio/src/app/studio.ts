@@ -192,8 +192,8 @@ export class Studio {
     const { meshes } = this.painter;
     const q = QUANTITY[settings.quantity];
     this.range = q && meshes.length && q.colour !== "classes" ? rangeOf(meshes, q, settings) : null;
-    const curves = isCurve(activePatch(state));
-    if (curves) this.legend.element.hidden = true;
+    const active = activePatch(state);
+    if (state.model.patches.every(isCurve)) this.legend.element.hidden = true;
     else if (!q) this.legend.plain(settings.stripes !== "none");
     else if (this.range) this.legend.real(q.key, this.range, state.model.unit, this.dark);
     else this.legend.classes(q.key, meshes.map((mesh) => mesh.counts));
@@ -211,7 +211,7 @@ export class Studio {
     const surface = this.stage.cells[0]?.pieces[state.patch]?.surface ?? null;
     this.status.refresh(state, {
       side: this.painter.side, cost: this.painter.cost, singular: meshes.reduce((sum, mesh) => sum + mesh.singular, 0), points: meshes.reduce((sum, mesh) => sum + mesh.places, 0),
-      sharp: this.sharp[0]?.at ?? null, surface, curve: curves ? curveOf(activePatch(state)) : null, warning: warningOf(state, surface),
+      sharp: this.sharp[0]?.at ?? null, surface, curve: isCurve(active) ? curveOf(active) : null, warning: warningOf(state, surface),
     });
   }
 

@@ -48,7 +48,7 @@ export function handlesOf(patch: Patch): readonly Handle[] {
 /** The control points of a curve; those of a plane one stay in its plane. */
 function curveHandles(patch: Patch): Handle[] {
   const points = valueOf(patch, "points") as Vec[], flat = points[0]!.length === 2;
-  return polygon("points", points.map((p) => [p[0]!, p[1]!, p[2] ?? 0]), flat ? [true, true, false] : ALL, BLUE).map((one, i) => ({ ...one, label: `P${lowered(i)}` }));
+  return polygon("points", points.map((p) => [p[0]!, p[1]!, p[2] ?? 0]), flat ? [true, true, false] : ALL, BLUE).map((one, i) => ({ ...one, label: `point ${i}` }));
 }
 
 /** Every handle of a patch; its surface says where the handles of planes sit. */

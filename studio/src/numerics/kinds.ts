@@ -1,6 +1,7 @@
 /** Tables of kinds: those of quintrig from its bundle, and those of installed packages that a page is told of. */
 
 import data from "../data.json";
+import { learnBases, type ToldBasis } from "./library";
 
 export interface Field {
   readonly type: "points" | "shape" | "plane" | "number" | "positive" | "boolean" | "choice" | "basis" | "raw";
@@ -35,6 +36,7 @@ export class ModelError extends Error {}
 export interface Installed {
   readonly kinds?: Readonly<Record<string, Kind>>;
   readonly starters?: Readonly<Record<string, unknown>>;
+  readonly library?: readonly ToldBasis[];
 }
 
 /** The range of the shape parameters of the quintic basis. */
@@ -45,8 +47,9 @@ const starters: Record<string, unknown> = { ...data.starters };
 export const KINDS: Readonly<Record<string, Kind>> = tables;
 export const STARTERS: Readonly<Record<string, unknown>> = starters;
 
-/** Add the kinds of installed packages; those of quintrig stay what they are. */
+/** Add the kinds and bases of installed packages; those of quintrig stay what they are. */
 export function install(brought: Installed): void {
+  learnBases(brought.library ?? []);
   for (const [name, kind] of Object.entries(brought.kinds ?? {})) tables[name] ??= kind;
   for (const [name, starter] of Object.entries(brought.starters ?? {})) starters[name] ??= starter;
 }

@@ -39,24 +39,25 @@ export interface Entry {
 
 const MOST_BASES = 64;
 const entries: Record<string, Entry> = {};
+const known: Record<string, ToldBasis> = {};
 
 /** All bases by name that are not a model's own. */
 export const LIBRARY: Readonly<Record<string, Entry>> = entries;
 
 function entryOf(told: ToldBasis): Entry {
-  const known = new Map<number, Basis>();
+  const made = new Map<number, Basis>();
   const { name, title, counts, sizes, formulas } = told;
   const has = (points: number) => sizes.includes(points) && (points in formulas || name === "bernstein");
   return {
     name, title, counts, sizes, has,
     basis(points) {
-      const found = known.get(points);
+      const found = made.get(points);
       if (found) return found;
       if (!has(points)) throw new Error(`points: a page from disk holds no formulas of the ${name} basis for ${points} points; open the model with: quintrig view MODEL`);
       const { functions, parameters } = formulas[points] ?? bernstein(points);
-      const made = new Basis(name, functions, parameters.map(([one, low, high, start, below, above]) => ({ name: one, low, high, start, open: [below, above] as const })), true);
-      known.set(points, made);
-      return made;
+      const basis = new Basis(name, functions, parameters.map(([one, low, high, start, below, above]) => ({ name: one, low, high, start, open: [below, above] as const })), true);
+      made.set(points, basis);
+      return basis;
     },
   };
 }
@@ -75,8 +76,11 @@ export function learnBases(told: readonly ToldBasis[]): void {
   }
 }
 
-const known: Record<string, ToldBasis> = {};
 learnBases(data.library as unknown as ToldBasis[]);
+const shipped = { ...known };
+
+/** What the page was told of bases beside those that it has by itself. */
+export const toldBases = (): readonly ToldBasis[] => Object.values(known).filter((one) => one !== shipped[one.name]);
 
 /** Tables of a model's own bases, by name. */
 export type Tables = Readonly<Record<string, unknown>>;
@@ -108,7 +112,7 @@ const entryOfOwn = (basis: Basis): Entry => {
   return { name, title: name, counts: `${size} control points`, sizes: [size], has: (points) => points === size, basis: () => basis };
 };
 
-const KEYS = ["functions", "parameters", "source"];
+const KEYS: readonly string[] = data.basisKeys;
 const SHIPPED: readonly string[] = (data.library as unknown as ToldBasis[]).map(({ name }) => name);
 
 /** A basis from a table with `functions`, and `parameters` and `source` if it likes. */

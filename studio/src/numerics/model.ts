@@ -47,8 +47,7 @@ export function fromDict(source: unknown): Model {
     const shared = bases !== undefined && KINDS[String(table["kind"])]?.fields["bases"] ? { bases } : {};
     return checked({ ...shared, ...table, name: table["name"] ?? `patch ${index + 1}` });
   });
-  const curves = patches.filter(isCurve), surface = patches.find((one) => !isCurve(one));
-  if (curves.length && surface) throw new ModelError(`patch "${surface.name}": expected a curve, as the others are; keep surfaces in a model of their own`);
+  const curves = patches.filter(isCurve);
   if (new Set(curves.map((one) => curveOf(one).flat)).size > 1) throw new ModelError("points: expected curves all in the plane or all in space, found both in one model");
   if (join !== undefined && !Array.isArray(join)) throw new ModelError(`join: expected one or more [[join]] tables, got ${spell(join)}`);
   return { name: name || patches[0]!.name, unit: unit as string, patches, ...(join ? { join } : {}) };

@@ -24,7 +24,9 @@ export class Inspector {
   /** Sections that say nothing of a curve. */
   private readonly surfaces: readonly HTMLElement[];
   private controls: Control<number>[] = [];
+  /** Whether there are curves alone, and whether there are some. */
   private curves = false;
+  private some = false;
   private shapeFor = "";
   private fields: { readonly key: string; readonly control: Control<number> }[] = [];
 
@@ -39,7 +41,9 @@ export class Inspector {
 
   /** Show the settings; `dark` is the theme in force. */
   refresh(state: State, dark: boolean): void {
-    this.curves = isCurve(activePatch(state));
+    const { patches } = state.model;
+    this.curves = patches.every(isCurve);
+    this.some = patches.some(isCurve);
     for (const one of this.surfaces) one.hidden = this.curves;
     for (const bind of this.bindings) bind(state.settings, dark);
     this.showShape(state);
@@ -165,7 +169,7 @@ export class Inspector {
       const control = toggle(label, (on) => store.setting({ [key]: on }), swatch, hint);
       this.bindings.push((s) => {
         control.update(s[key]);
-        control.element.hidden = this.curves ? key !== "net" && key !== "comb" : key === "comb";
+        control.element.hidden = key === "comb" ? !this.some : key !== "net" && this.curves;
       });
       return control.element;
     };
@@ -178,7 +182,7 @@ export class Inspector {
       combs.update(s.combs);
       scale.update(s.combScale);
       combs.element.parentElement!.hidden = this.curves;
-      scale.element.hidden = this.curves ? !s.comb : s.combs === "off";
+      scale.element.hidden = !(this.some && s.comb) && (this.curves || s.combs === "off");
     });
     const net = h("span", {});
     this.bindings.push(() => (net.textContent = this.curves ? "Polygon" : "Control net"));

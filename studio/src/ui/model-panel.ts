@@ -181,11 +181,7 @@ export class ModelPanel {
 
   /** Make the patch another construction: the same surface where that can hold it, else its starter, when that is wanted. */
   private async become(kind: string): Promise<void> {
-    const { store } = this, patch = activePatch(store.state), { patch: at, opened, model } = store.state;
-    if (model.patches.length > 1 && (kind === "curve") !== isCurve(patch)) {
-      store.set({ message: { kind: "error", text: "A model holds surfaces or curves, not both: keep this one in a model of its own" } });
-      return this.kind.update(patch.kind);
-    }
+    const { store } = this, patch = activePatch(store.state), { patch: at, opened } = store.state;
     let next = converted(patch, kind);
     if (!next) {
       const root = this.element.closest<HTMLElement>(".studio")!;

@@ -32,6 +32,10 @@ export function told(sample: Sample, q: Quantity, part = 0): number {
 const normalOf = (patch: Patch, named: boolean): string =>
   `normal ${normalSide(build(patch))} S_u x S_v${named ? ` on ${patch.name.replaceAll("\n", " ")}` : ""}`;
 
+/** The pins on surfaces, or those on curves, as the active patch is one. */
+const pinsLike = (state: State): readonly Pin[] =>
+  state.pins.filter(({ patch }) => patch < state.model.patches.length && isCurve(state.model.patches[patch]!) === isCurve(activePatch(state)));
+
 export class ProbePanel {
   readonly element: HTMLElement;
   private readonly body = h("div", { class: "probe-body" });
@@ -62,9 +66,9 @@ export class ProbePanel {
     this.element.addEventListener("toggle", () => this.unfolded());
     this.suit(store.state);
     store.subscribe((now, before) => {
-      if (now.model !== before.model) this.suit(now);
+      if (now.model !== before.model || now.patch !== before.patch) this.suit(now);
       if (now.pins.length > before.pins.length) (this.element as HTMLDetailsElement).open = true;
-      if (now.pins !== before.pins || (now.model !== before.model && now.pins.length)) this.refresh(now);
+      if (now.pins !== before.pins || ((now.model !== before.model || now.patch !== before.patch) && now.pins.length)) this.refresh(now);
     });
   }
 
@@ -82,8 +86,8 @@ export class ProbePanel {
   }
 
   /** The pins of a model of curves: t, point, curvature, its radius and the torsion; a plane curve has neither z nor torsion. */
-  private curves({ model, pins }: State): { heads: [string, string][]; rows: (string | number)[][] } {
-    const flat = model.patches.every((patch) => curveOf(patch).flat), per = model.unit ? `1/${model.unit}` : "";
+  private curves({ model }: State, pins: readonly Pin[]): { heads: [string, string][]; rows: (string | number)[][] } {
+    const flat = pins.every((pin) => curveOf(model.patches[pin.patch]!).flat), per = model.unit ? `1/${model.unit}` : "";
     const names = ["x", "y", ...(flat ? [] : ["z"])].map((name): [string, string] => [name, model.unit]);
     const heads: [string, string][] = [["t", ""], ...names, ["κ", per], ["1/κ", model.unit], ...(flat ? [] : [["τ", per] as [string, string]])];
     const rows = pins.map((pin) => {
@@ -94,17 +98,17 @@ export class ProbePanel {
   }
 
   private showCurves(state: State): void {
-    const { heads, rows } = this.curves(state), several = state.model.patches.length > 1;
+    const pins = pinsLike(state), { heads, rows } = this.curves(state, pins), several = state.model.patches.length > 1;
     const head = h("tr", {}, h("th", {}, "#"), several ? h("th", {}, "curve") : null,
       ...heads.map(([name, unit]) => h("th", {}, h("i", { class: "math" }, name), unit ? h("span", { class: "unit" }, unit) : null)), h("th", {}));
     const body = rows.map((values, i) => h("tr", {}, h("td", {}, h("span", { class: "pin-number" }, i + 1)),
-      several ? h("td", {}, state.model.patches[state.pins[i]!.patch]!.name) : null, ...values.map((x) => h("td", {}, short(x as number))),
-      h("td", {}, this.remover(state, i))));
+      several ? h("td", {}, state.model.patches[pins[i]!.patch]!.name) : null, ...values.map((x) => h("td", {}, short(x as number))),
+      h("td", {}, this.remover(pins[i]!, i))));
     this.body.replaceChildren(h("table", {}, h("thead", {}, head), h("tbody", {}, ...body)));
   }
 
-  private remover({ pins }: State, i: number): HTMLElement {
-    return button(icon(ICONS.close), `Remove pin ${i + 1}`, () => this.store.set({ pins: pins.filter((_, k) => k !== i) }), "tiny");
+  private remover(pin: Pin, i: number): HTMLElement {
+    return button(icon(ICONS.close), `Remove pin ${i + 1}`, () => this.store.set({ pins: this.store.state.pins.filter((one) => one !== pin) }), "tiny");
   }
 
   private columns(): { q: Quantity; part: number; head: string }[] {
@@ -127,20 +131,20 @@ export class ProbePanel {
       ...columns.map(({ q, head }) => h("th", { title: capital(q.name) },
         q.components === 1 ? (q.colour === "classes" ? capital(q.name) : symbol(q.latex)) : h("i", { class: "math" }, head),
         unitText(q, state.model.unit) ? h("span", { class: "unit" }, unitText(q, state.model.unit)) : null)), h("th", {}));
-    const rows = state.pins.map((pin, i) => {
+    const rows = pinsLike(state).map((pin, i) => {
       const sample = probe(state.model, pin);
       return h("tr", {}, h("td", {}, h("span", { class: "pin-number" }, i + 1)), several ? h("td", {}, state.model.patches[pin.patch]!.name) : null,
         h("td", {}, short(pin.u)), h("td", {}, short(pin.v)),
         ...(onFace(state.model, pin)
           ? columns.map(({ q, part }) => h("td", { class: q.colour === "classes" ? "word" : "" }, valueText(q, told(sample, q, part))))
-          : [h("td", { class: "word", colspan: columns.length }, "outside the trimmed face")]), h("td", {}, this.remover(state, i)));
+          : [h("td", { class: "word", colspan: columns.length }, "outside the trimmed face")]), h("td", {}, this.remover(pin, i)));
     });
     this.body.replaceChildren(h("table", {}, h("thead", {}, head), h("tbody", {}, ...rows)));
   }
 
   /** The pins with every quantity and digit. */
   private save(): void {
-    const { model, pins } = this.store.state;
+    const { model } = this.store.state, pins = pinsLike(this.store.state);
     if (isCurve(activePatch(this.store.state))) return this.saveCurves();
     const columns = QUANTITIES.flatMap((q) => Array.from({ length: q.components }, (_, part) => ({ q, part })));
     const name = ({ q, part }: { q: Quantity; part: number }) => (q.components === 1 ? q.key : `${q.key}_${"xyz"[part]!}`);
@@ -166,7 +170,7 @@ export class ProbePanel {
   }
 
   private saveCurves(): void {
-    const { model, pins } = this.store.state, { heads, rows } = this.curves(this.store.state);
+    const { model } = this.store.state, pins = pinsLike(this.store.state), { heads, rows } = this.curves(this.store.state, pins);
     const lines = [
       ["curve", ...heads.map(([name, unit]) => (unit ? `${name} (${unit})` : name))].join(","),
       ...rows.map((values, i) => [JSON.stringify(model.patches[pins[i]!.patch]!.name.replace(/^[=+\-@]/, "'$&")), ...values.map((x) => (Number.isNaN(x) ? "" : x))].join(",")),

@@ -97,6 +97,7 @@ export class SurfaceMesh {
     b.geometry.attributes["position"]!.needsUpdate = true;
     b.geometry.attributes["normal"]!.needsUpdate = true;
     this.mesh.geometry = b.geometry;
+    this.mesh.visible = true;
     const u = this.material.uniforms;
     u["cells"]!.value.set(n, n);
     this.paint(quantity);
@@ -134,6 +135,13 @@ export class SurfaceMesh {
       u["field"]!.value = b.texture;
       u["colours"]!.value = mapTexture(quantity);
     }
+  }
+
+  /** Draw nothing, until it is updated again. */
+  clear(): void {
+    this.current = null;
+    this.mesh.visible = false;
+    this.box.length = 0;
   }
 
   /** How many places are of each class of the drawn classification. */

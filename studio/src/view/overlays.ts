@@ -70,6 +70,7 @@ export class Overlays {
     for (const name of LINES) this.group.add(this.lines[name].mesh);
     this.group.add(this.points.mesh, this.grips.mesh);
     this.grips.fill([], []);
+    this.lines.curve.end(); // most pieces have none
   }
 
   /** All lines and points, for a picture without WebGL. */

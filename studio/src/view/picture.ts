@@ -24,11 +24,12 @@ export function compose(
     if (cell && label) context.fillText(label, (cell.x / across) * width + em, (cell.y / across) * width + 1.4 * em);
   });
   if (!choice.legend) return image;
-  const surface = cells[0]?.pieces[state.patch]?.surface, side = surface ? `normal ${normalSide(surface)} Su × Sv` : "no surface";
+  const piece = cells[0]?.pieces[state.patch], surface = piece?.surface;
+  const side = surface ? `normal ${normalSide(surface)} Su × Sv` : piece?.curve.length ? (state.settings.comb ? "curvature comb" : "curve") : "no surface";
   context.font = `${0.85 * em}px Helvetica, Arial, sans-serif`;
   context.fillText(`${state.model.name} · ${side}${state.model.unit ? ` · lengths in ${state.model.unit}` : ""}`, em, height - 1.2 * em);
   const q = QUANTITY[state.settings.quantity];
-  if (!q) return image;
+  if (!q || !cells[0]?.pieces.some((one) => one.surface)) return image;
   const unit = unitText(q, state.model.unit), title = `${capital(q.name)}${q.colour === "classes" ? "" : ` ${q.symbol}`}${unit ? ` (${unit})` : ""}`;
   const right = width - em, wide = context.measureText(title).width;
   context.textAlign = "right";
