@@ -112,7 +112,9 @@ def _coefficients(basis: Basis, samples: Samples, formula: str) -> FloatArray:
     tree = parse(formula, [*(one.name for one in basis.parameters), *points])
     wrong = next((name for name in names(tree) if name in VARIABLES), None)
     if wrong is not None:
-        raise ValueError(f"claim: expected a formula in the parameters and {points[0]} to {points[-1]}, found {wrong!r}")
+        raise ValueError(
+            f"claim: expected a formula in the parameters and {points[0]} to {points[-1]}, found {wrong!r}"
+        )
     given = {one.name: samples.values[:, i] for i, one in enumerate(basis.parameters)}
 
     def at(place: FloatArray) -> FloatArray:

@@ -55,7 +55,7 @@ def family(choice: Choice, points: int, values: Sequence[float] = (), unchecked:
 
 
 def own_basis(name: str, table: object) -> Basis:
-    """Return a basis from a table with ``functions``, and ``parameters``, ``source`` and ``claims`` if it likes; ValueError."""
+    """Return a basis from a table with ``functions``, and what else it has of ``_KEYS``; ValueError."""
     if name in _OWN:
         raise ValueError(f"{name!r} is the name of a basis that quintrig brings; choose another name")
     if not name.isidentifier() or not name.isascii() or len(name) > 60:
@@ -76,7 +76,7 @@ def own_basis(name: str, table: object) -> Basis:
         if len(pair) not in (2, 3):  # the third is where it starts
             raise ValueError(f"{expected}, found {_found(ends)}")
         parameters.append(Parameter(one, *pair))
-    claims = _list(keys.get("claims", []), "claims: expected a list of formulas, such as [\"z'(0) = 3*(P1 - P0)\"]")
+    claims = _list(keys.get("claims", []), 'claims: expected a list of formulas, such as ["z\'(0) = 3*(P1 - P0)"]')
     if len(claims) > _MOST_CLAIMS or not all(isinstance(one, str) for one in claims):
         raise ValueError(f"claims: expected at most {_MOST_CLAIMS} texts, found {_found(claims)}")
     return Basis(name, tuple(functions), tuple(parameters), source, tuple(claims))

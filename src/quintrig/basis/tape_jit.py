@@ -21,6 +21,20 @@ def _rest(x: float, sign: float) -> float:
 
 
 @loop
+def _angle(x: FloatArray, out: FloatArray) -> None:
+    """Fill ``out`` (4 BLOCK,) with s, c, 1 - s and 1 - c at x (BLOCK,), each without cancellation."""
+    for k in range(BLOCK):
+        h, g = half_angle(x[k])
+        w, z = half_angle(1.0 - x[k])
+        sine, cosine = 2.0 * h * g, 2.0 * w * z
+        near = x[k] < 0.5
+        out[k] = sine
+        out[BLOCK + k] = cosine
+        out[2 * BLOCK + k] = 1.0 - sine if near else 2.0 * w * w
+        out[3 * BLOCK + k] = 2.0 * h * h if near else 1.0 - cosine
+
+
+@loop
 def run(
     t: FloatArray,
     operations: NDArray[np.int64],
@@ -34,12 +48,20 @@ def run(
     For a partition of unity derivatives are summed over the functions that vanish at the nearer end.
     """
     count, size = operations.shape[0], roots.shape[0]
-    # Values and first two derivatives of every operation; those of the angle's functions once a block.
+    # Values and first two derivatives of every operation; sine and cosine of the angle and what they lack of 1 once a
+    # block. Every inner loop runs over the points of the block alone, without a branch, so that it goes in lanes.
     f = np.empty((count, 3, BLOCK))
+    angle = np.empty(4 * BLOCK)
+    turning = False
+    for n in range(count):
+        turning = turning or 3 <= operations[n, 0] <= 6
+    total, other = np.empty(BLOCK), np.empty(BLOCK)
     rate = 0.5 * np.pi
     terms = size - 1 if partition else size
     for block in range(t.shape[0]):
         x = t[block]
+        if turning:
+            _angle(x, angle)
         for n in range(count):
             code, i, j, c = operations[n, 0], operations[n, 1], operations[n, 2], numbers[n]
             y, p, q = f[n], f[i], f[j]
@@ -52,33 +74,35 @@ def run(
                     y[1, k] = 1.0 if code == 1 else -1.0
                     y[2, k] = 0.0
             elif code <= 6:
+                turn = rate if code <= 4 else -rate
+                own = (code - 3) % 2  # of the sine, or of the cosine
+                slope = turn if own == 0 else -turn
+                value, along, back = angle[(code - 3) * BLOCK :], angle[(1 - own) * BLOCK :], angle[own * BLOCK :]
                 for k in range(BLOCK):
-                    h, g = half_angle(x[k])
-                    w, z = half_angle(1.0 - x[k])
-                    near = x[k] < 0.5
-                    sine, cosine = 2.0 * h * g, 2.0 * w * z
-                    less = 1.0 - sine if near else 2.0 * w * w
-                    rest = 2.0 * h * h if near else 1.0 - cosine
-                    value = sine if code == 3 else cosine if code == 4 else less if code == 5 else rest
-                    turn = 1.0 if code <= 4 else -1.0
-                    odd = code in (3, 5)
-                    y[0, k] = value
-                    y[1, k] = turn * rate * (cosine if odd else -sine)
-                    y[2, k] = -turn * rate * rate * (sine if odd else cosine)
+                    y[0, k] = value[k]
+                for k in range(BLOCK):
+                    y[1, k] = slope * along[k]
+                for k in range(BLOCK):
+                    y[2, k] = -turn * rate * back[k]
             elif code <= 8:
                 sign = 1.0 if code == 7 else -1.0
                 for d in range(3):
                     for k in range(BLOCK):
                         y[d, k] = p[d, k] + sign * q[d, k]
             elif code == 9:
+                # One row at a time: with three the compiler no longer sees that they do not overlap.
+                for k in range(BLOCK):
+                    y[0, k] = p[0, k] * q[0, k]
+                for k in range(BLOCK):
+                    y[1, k] = p[0, k] * q[1, k] + p[1, k] * q[0, k]
                 for k in range(BLOCK):
                     y[2, k] = p[0, k] * q[2, k] + 2.0 * p[1, k] * q[1, k] + p[2, k] * q[0, k]
-                    y[1, k] = p[0, k] * q[1, k] + p[1, k] * q[0, k]
-                    y[0, k] = p[0, k] * q[0, k]
             elif code == 10:
                 for k in range(BLOCK):
                     y[0, k] = p[0, k] / q[0, k]
+                for k in range(BLOCK):
                     y[1, k] = (p[1, k] - y[0, k] * q[1, k]) / q[0, k]
+                for k in range(BLOCK):
                     y[2, k] = (p[2, k] - 2.0 * y[1, k] * q[1, k] - y[0, k] * q[2, k]) / q[0, k]
             elif code == 11:
                 for d in range(3):
@@ -128,17 +152,27 @@ def run(
                     y[0, k], y[1, k], y[2, k] = g0, g1 * a, g1 * b + g2 * a * a
         o = out[block]
         for d in range(3):
+            if not partition:
+                for i in range(terms):
+                    row, place = f[roots[i], d], o[(d * terms + i) * BLOCK : (d * terms + i + 1) * BLOCK]
+                    for k in range(BLOCK):
+                        place[k] = row[k]
+                continue
             for k in range(BLOCK):
-                if not partition:
-                    for i in range(terms):
-                        o[(d * terms + i) * BLOCK + k] = f[roots[i], d, k]
-                elif d == 0 or x[k] < 0.5:
-                    total = 0.0
-                    for i in range(terms - 1, -1, -1):
-                        total += f[roots[i + 1], d, k]
-                        o[(d * terms + i) * BLOCK + k] = total
-                else:
-                    total = 0.0
-                    for i in range(terms):
-                        total -= f[roots[i], d, k]
-                        o[(d * terms + i) * BLOCK + k] = total
+                total[k] = 0.0
+                other[k] = 0.0
+            for i in range(terms - 1, -1, -1):
+                row, place = f[roots[i + 1], d], o[(d * terms + i) * BLOCK : (d * terms + i + 1) * BLOCK]
+                for k in range(BLOCK):
+                    total[k] += row[k]
+                for k in range(BLOCK):
+                    place[k] = total[k]
+            if d == 0:
+                continue
+            for i in range(terms):
+                row, place = f[roots[i], d], o[(d * terms + i) * BLOCK : (d * terms + i + 1) * BLOCK]
+                for k in range(BLOCK):
+                    other[k] -= row[k]
+                for k in range(BLOCK):
+                    here, there = place[k], other[k]
+                    place[k] = here if x[k] < 0.5 else there

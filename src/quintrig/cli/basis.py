@@ -15,7 +15,7 @@ _EPILOG = session.examples(
     ("quintrig basis", "the bases that are known, with their sources"),
     ("quintrig basis cubic", "what holds of one, and what does not"),
     ("quintrig basis paper.toml --json", "the bases of a file of [basis.NAME] tables, as data"),
-    ("quintrig basis cubic --claim \"z'(0) = pi/2*(1 + alpha)*(P1 - P0)\"", "is this formula right? it is not"),
+    ('quintrig basis cubic --claim "z\'(0) = pi/2*(1 + alpha)*(P1 - P0)"', "is this formula right? it is not"),
     ("quintrig basis cubic --compare quintic,bernstein -o page.html", "several side by side"),
 )
 
@@ -31,7 +31,9 @@ def basis(
     compare: Annotated[str | None, typer.Option(metavar="A,B,...", help="Further bases, side by side.")] = None,
     claim: Annotated[
         list[str] | None,
-        typer.Option(metavar="FORMULA", help="An end derivative as printed, such as \"z'(0) = 3*(P1 - P0)\". Repeatable."),
+        typer.Option(
+            metavar="FORMULA", help='An end derivative as printed, such as "z\'(0) = 3*(P1 - P0)". Repeatable.'
+        ),
     ] = None,
     output: Annotated[Path | None, typer.Option("-o", "--output", metavar="PAGE.html", help="Write a page.")] = None,
 ) -> None:

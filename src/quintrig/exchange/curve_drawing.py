@@ -136,9 +136,7 @@ def cubic_pieces(curve: Curve, tolerance: float) -> tuple[FloatArray, float]:
     """
     count = 1
     share = np.linspace(0.0, 1.0, 33)
-    blend = np.stack(
-        [(1 - share) ** 3, 3 * share * (1 - share) ** 2, 3 * share**2 * (1 - share), share**3], axis=-1
-    )
+    blend = np.stack([(1 - share) ** 3, 3 * share * (1 - share) ** 2, 3 * share**2 * (1 - share), share**3], axis=-1)
     while True:
         knots = np.linspace(0.0, 1.0, count + 1)
         place, speed = curve.derivatives(knots, 1)[..., :2]

@@ -45,13 +45,18 @@ _NAMES = {
 
 
 def parallel_coordinates(
-    rows: Mapping[str, FloatArray], parameters: Sequence[str], surface: Surface | None, *, best: str = "", unit: str = ""
+    rows: Mapping[str, FloatArray],
+    parameters: Sequence[str],
+    surface: Surface | None,
+    *,
+    best: str = "",
+    unit: str = "",
 ) -> Figure:
     """Return parallel coordinates of designs, coloured by the column ``best`` or else by the bending energy.
 
     ``rows`` holds columns (n,) by name, the varied ``parameters`` among them; ``surface`` is any of the designs, for
-    the side of the normal, None for those of a curve, and ``unit`` that of length. Of more than 2000 designs, evenly spaced ones of the given
-    order are drawn, and the title says so. Raises ValueError where there are no designs.
+    the side of the normal, None for those of a curve, and ``unit`` that of length. Of more than 2000 designs, evenly
+    spaced ones of the given order are drawn, and the title says so. Raises ValueError where there are no designs.
     """
     total = len(next(iter(rows.values())))
     if total == 0:
@@ -59,6 +64,7 @@ def parallel_coordinates(
     chosen = np.unique(np.linspace(0, total - 1, min(total, _MOST)).astype(int))
     colour = best or "bending_energy"
     shown = dict.fromkeys((*_SHOWN, colour))
+
     def measure(name: str) -> str:
         return column_unit(name, unit, surface is None)
 

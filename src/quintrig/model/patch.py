@@ -113,7 +113,6 @@ class NamedCurve:
         values = zip(self.definition.shape_symbols, self.definition.acting.values(), strict=True)
         return ", ".join(f"{name} = {value:g}" for name, value in values) or self.definition.basis_words
 
-
     def with_shape(self, shape: Sequence[float]) -> "NamedCurve":
         """Return the same curve with other shape parameters; ModelError where it has none or they do not fit."""
         if not self.definition.acting:

@@ -16,8 +16,8 @@ from quintrig.multipatch.joins import Joins
 from quintrig.quantities.classify import Thresholds
 from quintrig.quantities.signs import SIGN_TABLES
 from quintrig.quantities.table import QUANTITIES, quantity
-from quintrig.report import facts as known
 from quintrig.report import curves, kinds, tables
+from quintrig.report import facts as known
 from quintrig.report.facts import MARKS, Facts
 from quintrig.report.findings import findings, methods
 from quintrig.report.mathml import mathml

@@ -35,7 +35,12 @@ class CurveCarrier:
         """The NURBS with points in space: a plane curve lies in z = 0."""
         form = self.form
         return SpaceCurve(
-            0, self.name, in_space(form.points).tolist(), form.weights.tolist(), form.basis.degree, list(form.basis.knots)
+            0,
+            self.name,
+            in_space(form.points).tolist(),
+            form.weights.tolist(),
+            form.basis.degree,
+            list(form.basis.knots),
         )
 
 

@@ -49,9 +49,7 @@ def deviations(parts: Sequence[Carrier], contents: Contents, points: int = 100) 
     return tuple(result)
 
 
-def curve_deviations(
-    parts: Sequence[CurveCarrier], contents: Contents, points: int = 1000
-) -> tuple[Deviation, ...]:
+def curve_deviations(parts: Sequence[CurveCarrier], contents: Contents, points: int = 1000) -> tuple[Deviation, ...]:
     """Compare each curve with the nearest curve that was read back, on ``points`` points at mapped parameters.
 
     Raises ValueError where the file holds another number of curves than the model has.
