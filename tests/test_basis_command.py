@@ -153,7 +153,8 @@ def test_the_misprint_is_caught_from_the_command_line_and_from_a_file(tmp_path):
     assert wrong["finding"]["worst"] == pytest.approx(9 / 8, rel=1e-12)
     assert wrong["finding"]["at"]["alpha"] == 1.0
     assert wrong["point"] == "P2"
-    table = Basis("paper", *(lambda b: (b.functions, b.parameters, "", (PRINTED,)))(_library("quintic")))
+    known = _library("quintic")
+    table = Basis("paper", known.functions, known.parameters, "", (PRINTED,))
     from quintrig.model.own_bases import table_of
 
     file = tmp_path / "paper.json"

@@ -59,7 +59,7 @@ class BasisReport:
     claims: tuple[Claim, ...] = ()
 
     def derivative(self, end: str, order: int) -> str:
-        """Return an end derivative in words: by formulas, or by numbers for the starting parameters where none is short."""
+        """Return an end derivative in words: by formulas, or by numbers for the starting parameters."""
         if self.end_formulas is not None:
             words = derivative_words(self.end_formulas[end][order])
             if len(words) <= _LONGEST:

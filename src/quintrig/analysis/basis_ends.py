@@ -13,6 +13,8 @@ from quintrig.basis.expression import series
 from quintrig.basis.formulas import Basis
 from quintrig.basis.grammar import VARIABLES, Call, Name, Node, Number, Power, names, ordered, parse
 from quintrig.support.arrays import FloatArray
+from quintrig.support.errors import QuintrigError
+from quintrig.support.extras import need
 
 HIGHEST = 3
 """Order of the derivatives that are given as formulas."""
@@ -48,11 +50,11 @@ def end_formulas(basis: Basis) -> dict[str, list[list[str]]] | None:
 
     They are written in the grammar of bases. None without SymPy (extra ``formulas``), and for more than 16 functions.
     """
-    try:
-        import sympy
-    except ImportError:
-        return None
     if basis.size > _MOST:
+        return None
+    try:
+        sympy = need("sympy", "formulas of end derivatives")
+    except QuintrigError:
         return None
     return {str(end): _at_end(sympy, basis, end) for end in (0, 1)}
 

@@ -62,7 +62,7 @@ def _not_negative(coefficients: FloatArray, noise: float) -> bool:
     return True
 
 
-def _degree(node: Node, name: str) -> float:
+def _degree(node: Node, name: str) -> float:  # noqa: PLR0911 — one for each kind of node
     """Return the degree of a formula in a parameter, infinite where it is no polynomial in it."""
     if isinstance(node, Number):
         return 0
@@ -81,7 +81,7 @@ def _degree(node: Node, name: str) -> float:
 
 
 def _by_intervals(basis: Basis, values: tuple[float, ...]) -> bool:
-    """Return whether naive intervals of t prove it: enough where a formula is a sum of products that are not negative."""
+    """Return whether naive intervals of t prove it: they do for sums of products that are not negative."""
     t = np.linspace(0.0, 1.0, _INTERVALS + 1)
     low, high = t[:-1], t[1:]
     quarter = 0.5 * np.pi

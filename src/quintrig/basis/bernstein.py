@@ -2,14 +2,21 @@
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quintrig.basis.functions import Functions
+from quintrig.basis.functions import MOVING, Functions, Still
 from quintrig.basis.rational import TangentMap, elevated
 from quintrig.support import taylor
 from quintrig.support.arrays import FloatArray, parameter, whole
+
+if TYPE_CHECKING:
+    from quintrig.basis.tape import Tape
+
+_COMPILED = 63  # degrees that the compiled loop takes; the grammar's powers end there
 
 
 @dataclass(frozen=True)
@@ -46,6 +53,13 @@ class Bernstein(Functions):
         rest = -x
         rest[0] = 1.0 - t
         return taylor.derivatives(bernstein_series(x, rest, self.degree))
+
+    def fill(self, t: FloatArray, out: FloatArray, still: Still = MOVING) -> None:
+        """Write derivatives 0 to 2 of the F_i at blocks of BLOCK parameters (blocks, BLOCK) to ``out``, compiled."""
+        if not 1 <= self.degree <= _COMPILED:
+            super().fill(t, out, still)
+            return
+        _tape(self.degree).fill(t, True, out)
 
     def tangent_map(self) -> TangentMap | None:
         """Return the identity, or None for the constant, which is rational in any parameter."""
@@ -91,3 +105,12 @@ def bernstein_series(x: FloatArray, rest: FloatArray, degree: int) -> FloatArray
     up, down = taylor.powers(x, degree), taylor.powers(rest, degree)
     terms = [math.comb(degree, i) * taylor.product(up[i], down[degree - i]) for i in range(degree + 1)]
     return np.stack(terms, axis=-1)
+
+
+@lru_cache(maxsize=_COMPILED)
+def _tape(degree: int) -> "Tape":
+    """Return the polynomials as operations for the compiled loop."""
+    from quintrig.basis.grammar import parse
+    from quintrig.basis.tape import tape
+
+    return tape([parse(f"{math.comb(degree, i)}*t^{i}*r^{degree - i}") for i in range(degree + 1)], {})

@@ -16,7 +16,6 @@ from quintrig.basis.rational import NotRationalError, TangentMap
 from quintrig.basis.tape import Tape, tape
 from quintrig.support import taylor
 from quintrig.support.arrays import FloatArray, number, parameter
-from quintrig.support.memory import address
 
 MOST_FUNCTIONS, MOST_PARAMETERS = 64, 24
 """Most functions and most parameters of a basis."""
@@ -240,15 +239,7 @@ class Formulas(Functions):
 
     def fill(self, t: FloatArray, out: FloatArray, still: Still = MOVING) -> None:
         """Write derivatives 0 to 2 of the F_i at blocks of BLOCK parameters (blocks, BLOCK) to ``out``, compiled."""
-        from quintrig.basis.tape_jit import run
-
-        whole = out if out.flags.c_contiguous else np.empty(out.shape)
-        work = self._tape
-        places, scratch = np.ascontiguousarray(t), np.empty((len(work.operations), 3, t.shape[1]))
-        taped = address(work.operations), len(work.operations), address(work.numbers), address(work.roots)
-        run(address(places), len(t), *taped, len(work.roots), self.partition, address(scratch), address(whole))
-        if whole is not out:
-            out[...] = whole
+        self._tape.fill(t, self.partition, out)
 
     @cached_property
     def _tape(self) -> Tape:

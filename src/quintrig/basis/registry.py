@@ -55,7 +55,7 @@ def family(choice: Choice, points: int, values: Sequence[float] = (), unchecked:
 
 
 def own_basis(name: str, table: object) -> Basis:
-    """Return a basis from a table with ``functions``, and ``parameters``, ``source`` and ``claims`` if it likes; ValueError."""
+    """Return a basis from a table with ``functions``, and what else it has of ``_KEYS``; ValueError."""
     if name in _OWN:
         raise ValueError(f"{name!r} is the name of a basis that quintrig brings; choose another name")
     if not name.isidentifier() or not name.isascii() or len(name) > 60:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from quintrig.basis.expression import called
 from quintrig.basis.grammar import VARIABLES, Binary, Call, Name, Node, Number, Power, ordered
 from quintrig.support.arrays import FloatArray
+from quintrig.support.memory import address
 
 CODES = (
     *("number", *VARIABLES, "add", "subtract", "multiply", "divide", "scale", "shift", "invert"),
@@ -30,6 +31,17 @@ class Tape:
     operations: NDArray[np.int64]
     numbers: FloatArray
     roots: NDArray[np.int64]
+
+    def fill(self, t: FloatArray, partition: bool, out: FloatArray) -> None:
+        """Write increments of the roots and two derivatives at blocks of parameters (blocks, BLOCK) to ``out``."""
+        from quintrig.basis.tape_jit import SPARE, run
+
+        whole = out if out.flags.c_contiguous else np.empty(out.shape)
+        places, scratch = np.ascontiguousarray(t), np.empty(3 * len(self.operations) * t.shape[1] + SPARE)
+        taped = address(self.operations), len(self.operations), address(self.numbers), address(self.roots)
+        run(address(places), len(t), *taped, len(self.roots), partition, address(scratch), address(whole))
+        if whole is not out:
+            out[...] = whole
 
 
 def tape(trees: Sequence[Node], values: Mapping[str, float]) -> Tape:

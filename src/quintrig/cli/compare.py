@@ -58,7 +58,8 @@ def compare(
     """Show the effect of shape parameters: the model's own, and other sets beside them.
 
     Writes a page with pictures on one scale of length and colour and a table of intensities: least, greatest and mean
-    K and H, area and energies; of a curve length, extreme curvature and torsion, bending energy. In a folder the pictures and the table are files too.
+    K and H, area and energies; of a curve length, extreme curvature and torsion, bending energy. In a folder the
+    pictures and the table are files too.
     """
     from quintrig.figure.plot import read_quantities, read_view
 

@@ -96,6 +96,8 @@ def _svg(model: Model, tolerance: float | None) -> tuple[str, list[str]]:
     notes: list[str] = []
     drawn: list[tuple[str, FloatArray]] = []
     for one in model.curves:
+        if not np.ptp(one.curve.points, axis=0).max() > 0.0:
+            raise ValueError(f'curve "{one.name}": all of it is a single point; are its control points equal?')
         allowed = tolerance or 1e-6 * float(np.linalg.norm(np.ptp(one.curve.points, axis=0)))
         pieces, off = cubic_pieces(one.curve, allowed)
         drawn.append((one.name, pieces))

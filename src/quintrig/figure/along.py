@@ -1,7 +1,7 @@
 """Curvature and torsion along curves: over t, or over arc length across the joins of curves that go on end to end."""
 
-import itertools
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import Literal
 
 import numpy as np
@@ -23,7 +23,7 @@ def joined(curves: Sequence[Curve]) -> bool:
     """Return whether two or more curves go on end to end, each from the last point of the one before it."""
     size = max((float(np.ptp(curve.points, axis=0).max()) for curve in curves), default=0.0)
     ends = [curve.points[[0, -1]] for curve in curves]
-    gaps = [float(np.linalg.norm(a[1] - b[0])) for a, b in itertools.pairwise(ends)]
+    gaps = [float(np.linalg.norm(a[1] - b[0])) for a, b in pairwise(ends)]
     return bool(gaps) and max(gaps) <= _MEETING * size
 
 
@@ -135,7 +135,7 @@ def _arc_lengths(curves: Sequence[Curve], t: FloatArray) -> tuple[list[FloatArra
 
 def _jumps(values: Sequence[FloatArray], unit: str) -> str:
     """Say by how much the values jump at the joins, at most."""
-    jumps = [abs(float(b[0] - a[-1])) for a, b in itertools.pairwise(values)]
+    jumps = [abs(float(b[0] - a[-1])) for a, b in pairwise(values)]
     if not np.isfinite(jumps).all():
         return "Dashed: joins; at one of them it is not defined"
     largest = max(jumps)

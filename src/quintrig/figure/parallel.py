@@ -56,8 +56,8 @@ def parallel_coordinates(
     """Return parallel coordinates of designs, coloured by the column ``best`` or else by the bending energy.
 
     ``rows`` holds columns (n,) by name, the varied ``parameters`` among them; ``surface`` is any of the designs, for
-    the side of the normal, None for those of a curve, and ``unit`` that of length. Of more than 2000 designs, evenly spaced ones of the given
-    order are drawn, and the title says so. Raises ValueError where there are no designs.
+    the side of the normal, None for those of a curve, and ``unit`` that of length. Of more than 2000 designs, evenly
+    spaced ones of the given order are drawn, and the title says so. Raises ValueError where there are no designs.
     """
     total = len(next(iter(rows.values())))
     if total == 0:

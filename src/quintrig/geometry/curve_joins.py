@@ -40,13 +40,13 @@ def join_curves(first: Curve, second: Curve, order: Order = "G2", ratio: float =
         return replace(second, points=points)
     ends = first.functions.derivatives(np.array([1.0]), 3)[:, 0]
     starts = second.functions.derivatives(np.array([0.0]), 3)[:, 0]
-    for name, rows, _curve in (("first", ends, first), ("second", starts, second)):
+    for name, rows in (("first", ends), ("second", starts)):
         if not np.abs(rows[1]).max() > _STILL * np.abs(rows).max():
             raise ValueError(
                 f"{name}: expected a curve that moves at the join; its shape parameter there is at the end of the "
                 "range (-4 in the quintic basis), where it stands still"
             )
-    _place, speed, bend, turn = ends @ (first.points - first.points[-1])
+    speed, bend, turn = ends[1:] @ (first.points - first.points[-1])
     if order == "G3" and not _reaches(starts, 3):
         mu, moved = _third(ends, starts, kappa, (speed, bend, turn)), 2
     wanted = [kappa * speed, kappa**2 * bend + mu * speed, kappa**3 * turn + 3.0 * kappa * mu * bend][:moved]

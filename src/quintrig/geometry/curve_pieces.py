@@ -26,8 +26,8 @@ def split_curve(curve: Curve, t: float) -> Pieces:
     """Return the two curves that ``curve`` is made of before and after ``t``.
 
     Exact, with error 0, where the functions span the polynomials of a degree, as Bernstein's do (de Casteljau). The
-    trigonometric space holds no part of its own curves: there, and in others, the pieces are fitted by least squares with the ends kept, and the error says how far they are from the curve.
-    Raises ValueError for t outside (0, 1).
+    trigonometric space holds no part of its own curves: there, and in others, the pieces are fitted by least squares
+    with the ends kept, and the error says how far they are from the curve. Raises ValueError for t outside (0, 1).
     """
     if not 0.0 < number(t, "t") < 1.0:
         raise ValueError(f"t: expected a number between 0 and 1, found {t:g}")

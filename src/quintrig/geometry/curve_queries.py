@@ -120,7 +120,7 @@ class Queries(Measures):
         return first[..., 0] * second[..., 1] - first[..., 1] * second[..., 0]
 
     def _bend_slope(self, t: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return |z'|⁵ dκ/dt, in space |z' x z''| |z'|⁵ dκ/dt, which vanish where κ is extreme, and what they are of."""
+        """Return |z'|⁵ dκ/dt, in space times |z' x z''|, which vanish where κ is extreme, and the size of terms."""
         _, first, second, third = self.derivatives(t, 3)
         speed, along = (first**2).sum(axis=-1), (first * second).sum(axis=-1)
         if self.points.shape[1] == 2:

@@ -1,4 +1,4 @@
-"""What shape parameters do to a curve: the same control points with several of them, and a table of what it measures."""
+"""What shape parameters do to a curve: the same control points with several of them, and a table of measures."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -195,7 +195,8 @@ class Based(Definition):
         own = own_bases(self.bases)
         names = [self.basis] * len(self.point_counts) if isinstance(self.basis, str) else self.basis
         if len(names) != len(self.point_counts):
-            raise ValueError(f"basis: expected one basis, or {len(self.point_counts)}, found {len(names)}")
+            several = f", or {len(self.point_counts)}" if len(self.point_counts) > 1 else ""
+            raise ValueError(f"basis: expected one basis{several}, found {len(names)}")
         return tuple(entry(name, own) for name in names)
 
     @property
