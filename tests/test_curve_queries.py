@@ -254,3 +254,19 @@ def test_mistakes_are_named(call, message) -> None:  # pyright: ignore
     with pytest.raises(ValueError, match=message) as error:
         call()
     assert "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("basis", "points"),
+    [("cubic", [[1, 0], [1, 0.5], [0.5, 1], [0, 1]]), ("quadratic", [[1, 0], [1, 1], [0, 1]])],
+)
+@pytest.mark.parametrize("turn", [0.0, 0.7])
+def test_an_exact_circle_has_neither_inflections_nor_extremes_of_curvature(basis, points, turn):
+    rotation = np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
+    plane = Curve(np.array(points) @ rotation.T, basis=basis, shape=(0, 0))
+    space = Curve(np.column_stack([plane.points, plane.points @ [0.3, 0.4]]), basis=basis, shape=(0, 0))
+    assert plane.inflections().size == plane.curvature_extremes().size == 0
+    assert space.inflections().size == 0
+    asked = []
+    roots(lambda t: asked.append(t.size) or 1.0 + 1e-16 * np.sin(1e5 * t))
+    assert len(asked) == 1  # rounding of a constant is not searched

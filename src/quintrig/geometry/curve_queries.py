@@ -120,19 +120,21 @@ class Queries(Measures):
         return first[..., 0] * second[..., 1] - first[..., 1] * second[..., 0]
 
     def _bend_slope(self, t: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return |z'|⁵ dκ/dt, in space times |z' x z''|, which vanish where κ is extreme, and the size of terms."""
+        """Return |z'|⁵ dκ/dt, in space times |z' x z''|, which vanish where κ is extreme, and a bound of both terms."""
         _, first, second, third = self.derivatives(t, 3)
         speed, along = (first**2).sum(axis=-1), (first * second).sum(axis=-1)
         if self.points.shape[1] == 2:
             bend = first[..., 0] * second[..., 1] - first[..., 1] * second[..., 0]
             change = first[..., 0] * third[..., 1] - first[..., 1] * third[..., 0]
             result = change * speed - 3.0 * bend * along
-            scale = np.abs(change * speed) + 3.0 * np.abs(bend * along)
         else:
             cross, slope = np.cross(first, second), np.cross(first, third)
             left, right = (cross * slope).sum(axis=-1) * speed, 3.0 * (cross**2).sum(axis=-1) * along
-            result, scale = left - right, np.abs(left) + np.abs(right)
-        return result, scale
+            result = left - right
+        # By lengths alone: on a circle both terms vanish, and what they are of is rounding too.
+        lengths = [np.sqrt((part**2).sum(axis=-1)) for part in (first, second, third)]
+        scale = lengths[0] ** 3 * lengths[2] + 3.0 * (lengths[0] * lengths[1]) ** 2
+        return result, scale if self.points.shape[1] == 2 else scale * lengths[0] * lengths[1]
 
     def _straight(self) -> bool:
         """Whether the control points lie on one line."""

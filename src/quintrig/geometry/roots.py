@@ -10,6 +10,8 @@ from quintrig.support.arrays import BoolArray, FloatArray
 _SAMPLES = 2049
 _TOUCH = 1e-12  # a root without change of sign: share of the largest value below which a lowest one is rounding
 
+_STEEP = 16.0  # times that change
+
 
 def roots(function: Callable[[FloatArray], FloatArray], samples: int = _SAMPLES) -> FloatArray:
     """Return the roots on [0, 1] in order, double ones once; none where the function vanishes throughout.
@@ -34,6 +36,8 @@ def roots(function: Callable[[FloatArray], FloatArray], samples: int = _SAMPLES)
     found += [_root(at, t[i], t[i + 1]) for i in np.flatnonzero(change)]
     size = np.abs(values)
     low = (size[1:-1] <= size[:-2]) & (size[1:-1] <= size[2:]) & ~zero[:-2] & ~zero[1:-1] & ~zero[2:]
+    # One that lies far above what it changes by from sample to sample, as rounding of a constant does, meets no zero.
+    low &= size[1:-1] <= _STEEP * (size[:-2] + size[2:] - 2.0 * size[1:-1])
     same = (values[:-2] * values[1:-1] > 0.0) & (values[1:-1] * values[2:] > 0.0)
     for i in np.flatnonzero(low & same) + 1:
         found += _touching(at, t[i - 1], t[i + 1], float(np.sign(values[i])), _TOUCH * scale)
