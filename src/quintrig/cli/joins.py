@@ -48,6 +48,9 @@ def joins(
     output: Annotated[
         Path | None, typer.Option("-o", "--output", metavar="FILE", help="Write .csv, .json, .md, .tex, or a picture.")
     ] = None,
+    view: Annotated[
+        str, typer.Option(metavar="VIEW", help="Of a picture: iso, side, back, top, or AZIMUTH,ELEVATION.")
+    ] = "iso",
     strict: Annotated[bool, typer.Option("--strict", help="Exit with 1 where a seam is nearly closed.")] = False,
 ) -> None:
     """Tell which edges meet, and how smoothly: open, G0, G1, G2 or G3.
@@ -58,7 +61,7 @@ def joins(
     loaded = session.load(model)
     result = loaded.joins(preset=preset, tolerance=tolerance, angle=angle, curvature=curvature, near=near)
     if output and output.suffix.lower() in _PICTURES:
-        _draw(loaded, result, output)
+        _draw(loaded, result, output, view)
     else:
         _tell(result, model, as_json, output)
     if strict and result.warnings:
@@ -67,11 +70,12 @@ def joins(
         raise typer.Exit(FOUND)
 
 
-def _draw(model: "Model", result: "Joins", output: Path) -> None:
+def _draw(model: "Model", result: "Joins", output: Path, view: str) -> None:
     from quintrig.figure import save, seam_picture
+    from quintrig.figure.plot import read_view
 
     replaced = output.is_file()
-    figure = seam_picture([patch.surface for patch in model.patches], result, title=model.name)
+    figure = seam_picture([patch.surface for patch in model.patches], result, title=model.name, view=read_view(view))
     session.wrote(save(figure, output), replaced)
 
 

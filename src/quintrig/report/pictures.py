@@ -21,6 +21,7 @@ from quintrig.figure import (
     seam_picture,
     space_picture,
     to_png_bytes,
+    zebra_picture,
 )
 from quintrig.figure.field import field, zero_lines
 from quintrig.model.model import Model
@@ -96,6 +97,7 @@ def overview(model: Model, joins: Joins) -> Iterator[Picture]:
         yield Picture(f"all-{key}", f"All patches, coloured by {BY_KEY[key].name}.", partial(draw, surfaces, key))
     counts = ", ".join(f"{count} {order}" for order, count in joins.counts.items() if count) or "none"
     yield Picture("all-seams", f"All patches with their seams: {counts}.", partial(seam_picture, surfaces, joins))
+    yield Picture("all-zebra", "All patches reflecting stripes.", partial(zebra_picture, surfaces, unit=model.unit))
 
 
 def pictures(facts: Facts, detailed: bool) -> tuple[Picture, ...]:
