@@ -1,7 +1,8 @@
 """Write examples/body.toml, the front left quarter of a car: ``python docs/make_body.py``.
 
-Lengths in mm: x to the back, y to the side, z up; y = 0 is the middle of the car. Front, fender and door are one grid of
-patches, G2 throughout, of which those under the cabin are left out; windshield and roof are another, held to the hood.
+Lengths in mm: x to the back, y to the side, z up; y = 0 is the middle of the car. Front, fender and door are one grid
+of patches, G2 throughout, of which those under the cabin are left out; windshield and roof are another, held to the
+hood.
 """
 
 from dataclasses import replace
@@ -40,6 +41,11 @@ CABIN = [
     [(1760, 0, 1274), (1762, 330, 1259), (1768, 610, 1210)],
     [(2400, 0, 1376), (2400, 328, 1361), (2400, 590, 1308)],
 ]
+HEAD = """# The front left quarter of a car in 49 patches, written by docs/make_body.py: hood, fender and door G2, the cabin
+# held to the hood by [[join]] tables, windows G0. Seams: quintrig joins body.toml. The other half: quintrig mirror
+# body.toml --plane y=0 --order G2 -o half.toml.
+
+"""
 COWL = 6  # station at which the cabin begins
 
 
@@ -98,4 +104,7 @@ if __name__ == "__main__":
         for key in ("points", "first", "second"):
             if key in table:
                 table[key] = np.round(table[key], 6).tolist()
-    quintrig.save(Model.from_dict(keys), HERE.parent / "examples" / "body.toml")
+    path = HERE.parent / "examples" / "body.toml"
+    path.unlink(missing_ok=True)
+    quintrig.save(Model.from_dict(keys), path)
+    path.write_text(HEAD + path.read_text(encoding="utf-8"), encoding="utf-8")

@@ -196,7 +196,7 @@ def _softened(patch: Patch, meetings: Sequence[Meeting]) -> Patch:
         values = along.derivatives(T, 0)[0]
         matrix = np.einsum("i,nj->nij" if first else "j,ni->nij", cross, values)
         normal = _normals(one)
-        row: FloatArray = matrix[:, :, :, None] * normal[:, None, None, :]
+        row = np.einsum("nij,nx->nijx", matrix, normal)
         scale = 1.0 / float(np.linalg.norm(np.einsum("nij,ijx->nx", matrix, net), axis=-1).mean())
         right.append(-scale * np.einsum("nijx,ijx->n", row, net))
         blocks.append(scale * row[:, inner].reshape(len(T), -1))

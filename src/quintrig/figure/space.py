@@ -44,7 +44,8 @@ def draw_space(
 
     ``fields`` (from ``facet_fields``) colour them by a quantity, ``colours`` each in one colour, ``tints``
     (cells, cells, 3) facet by facet; without any, the side of the normal and the back have two colours. ``box``
-    fixes what is framed and ``point`` the length¹ of a printer's point, for pictures side by side. Thin contour lines run along the ``levels`` of what is shown.
+    fixes what is framed and ``point`` the length¹ of a printer's point, for pictures side by
+    side. Thin contour lines run along the ``levels`` of what is shown.
     """
     scene = scene or Scene()
     low, high = box or bounds(surfaces, scene)
@@ -104,10 +105,7 @@ def _lines_on(
     thin = [_on_face(surface, np.full_like(v, x), v) for x in across]
     thin += [_on_face(surface, u, np.full_like(u, x)) for x in up]
     paints = [strokes(_cut(line, box), scene.view, "#6e6e6e", 0.4, step, lift) for line in thin]
-    paints += [
-        strokes(_cut(line, box), scene.view, rim, 0.9, step, lift)
-        for line in (rims(surface) or _rim(mesh) if scene.rims else ())
-    ]
+    paints += [strokes(_cut(line, box), scene.view, rim, 0.9, step, lift) for line in _rims(surface, mesh, scene)]
     if scene.zeros and f is not None and f.quantity.colour == "diverging":
         dashed = f.quantity.key == "mean"
         for line in zero_lines(traced(surface, f.quantity.key, _ZEROS)):
@@ -121,6 +119,10 @@ def _lines_on(
         for line in regression_lines(surface):
             paints.append(strokes(_cut(line, box), scene.view, REGRESSION, 1.8, step, lift))
     return paints
+
+
+def _rims(surface: Surface, mesh: FloatArray, scene: Scene) -> list[FloatArray]:
+    return (rims(surface) or _rim(mesh)) if scene.rims else []
 
 
 def _face(surface: Surface, cells: int) -> BoolArray | None:
