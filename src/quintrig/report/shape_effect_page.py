@@ -62,7 +62,7 @@ def pictures(
     return tuple(drawn)
 
 
-def page(found: Sequence[Variant], table: Table, drawn: Sequence[Picture]) -> str:
+def page(found: Sequence[Variant], table: Table, drawn: Sequence[Picture], seams: Table | None = None) -> str:
     """Return the page as HTML with its pictures inside: nothing beside it and no network is needed."""
     environment = Environment(autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
     template = environment.from_string((files("quintrig.report.templates") / "shape_effect.html.j2").read_text("utf-8"))
@@ -75,5 +75,9 @@ def page(found: Sequence[Variant], table: Table, drawn: Sequence[Picture]) -> st
         names=names,
         kind=found[0].patch.kind,
         pictures=drawn,
+        seams=seams,
+        seam_rows=[[shown(cell) for cell in row] for row in zip(*(c.rounded for c in seams.columns), strict=True)]
+        if seams
+        else [],
         version=__version__,
     )
