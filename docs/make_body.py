@@ -41,9 +41,9 @@ CABIN = [
     [(1760, 0, 1274), (1762, 330, 1259), (1768, 610, 1210)],
     [(2400, 0, 1376), (2400, 328, 1361), (2400, 590, 1308)],
 ]
-HEAD = """# The front left quarter of a car in 49 patches, written by docs/make_body.py: hood, fender and door G2, the cabin
-# held to the hood by [[join]] tables, windows G0. Seams: quintrig joins body.toml. The other half: quintrig mirror
-# body.toml --plane y=0 --order G2 -o half.toml.
+HEAD = """# The front left quarter of a car in 56 patches, written by docs/make_body.py: hood, fender and door G2, the
+# cabin held to the hood by [[join]] tables, windows G0. Seams: quintrig joins body.toml. The other half:
+# quintrig mirror body.toml --plane y=0 --order G2 -o half.toml.
 
 """
 COWL = 6  # station at which the cabin begins

@@ -46,7 +46,8 @@ def joins(
     ] = 0.2,
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON: joins, free edges, poles, limits.")] = False,
     output: Annotated[
-        Path | None, typer.Option("-o", "--output", metavar="FILE", help="Write .csv, .json, .md, .tex, or a picture.")
+        Path | None,
+        typer.Option("-o", "--output", metavar="FILE", help="Write .csv, .json, .md, .tex, .dxf, or a picture."),
     ] = None,
     view: Annotated[
         str, typer.Option(metavar="VIEW", help="Of a picture: iso, side, back, top, or AZIMUTH,ELEVATION.")
@@ -62,6 +63,10 @@ def joins(
     result = loaded.joins(preset=preset, tolerance=tolerance, angle=angle, curvature=curvature, near=near)
     if output and output.suffix.lower() in _PICTURES:
         _draw(loaded, result, output, view)
+    elif output and output.suffix.lower() == ".dxf":
+        from quintrig.exchange.seams import seams_dxf
+
+        session.deliver(seams_dxf(result), output, model)
     else:
         _tell(result, model, as_json, output)
     if strict and result.warnings:
@@ -84,7 +89,7 @@ def _tell(result: "Joins", model: Path, as_json: bool, output: Path | None) -> N
 
     chosen = SUFFIXES.get(output.suffix.lower()) if output and str(output) != "-" else None
     if output and not chosen and not as_json:
-        raise ValueError(f"{output}: expected a name ending in {', '.join((*SUFFIXES, *_PICTURES))}")
+        raise ValueError(f"{output}: expected a name ending in {', '.join((*SUFFIXES, *_PICTURES, '.dxf'))}")
     if as_json or chosen == "json":
         session.deliver(json.dumps(result.to_dict(), ensure_ascii=False, indent=1) + "\n", output, model)
     elif chosen:
