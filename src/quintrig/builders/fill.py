@@ -199,9 +199,10 @@ def _softened(patch: Patch, meetings: Sequence[Meeting]) -> Patch:
         row = np.einsum("nij,nx->nijx", matrix, normal)
         scale = 1.0 / float(np.linalg.norm(np.einsum("nij,ijx->nx", matrix, net), axis=-1).mean())
         right.append(-scale * np.einsum("nijx,ijx->n", row, net))
-        blocks.append(scale * row[:, inner].reshape(len(T), -1))
+        part: FloatArray = np.reshape(row[:, inner], (len(T), -1))
+        blocks.append(scale * part)
     count = blocks[0].shape[1]
-    blocks.append(np.eye(count) * _STIFF / surface.size)
+    blocks.append(_STIFF / surface.size * np.eye(count))
     right.append(np.zeros(count))
     found = np.linalg.lstsq(np.concatenate(blocks), np.concatenate(right), rcond=None)[0]
     net[inner] += found.reshape(-1, 3)
