@@ -202,7 +202,7 @@ def _softened(patch: Patch, meetings: Sequence[Meeting]) -> Patch:
         part: FloatArray = np.reshape(row[:, inner], (len(T), -1))
         blocks.append(scale * part)
     count = blocks[0].shape[1]
-    blocks.append(_STIFF / surface.size * np.eye(count))
+    blocks.append(_STIFF / surface.size * np.identity(count, dtype=np.float64))
     right.append(np.zeros(count))
     found = np.linalg.lstsq(np.concatenate(blocks), np.concatenate(right), rcond=None)[0]
     net[inner] += found.reshape(-1, 3)
