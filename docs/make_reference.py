@@ -41,6 +41,17 @@ CHAPTERS = {
     "Analysis": ("grid", "analyse", "Sample", "Thresholds", "analyse_blocks"),
     "Summaries": ("summarise", "integrals", "find_extremes", "compare_methods", "check_hull", "check_curve_hull"),
     "Models": ("load", "Model", "ModelError"),
+    "Bodies": (
+        "find_joins",
+        "Joins",
+        "join",
+        "mirror",
+        "blend",
+        "extend",
+        "fill",
+        "cap",
+        "grid_of_patches",
+    ),
     "Exchange": ("export", "open_model", "exact_surface", "unroll", "Sheet"),
 }
 """Public names by chapter; names that are in none come last."""

@@ -74,8 +74,7 @@ MISTAKES = [
     (["compare", EXAMPLES / "classical.toml"], 'got "bernstein", which has no shape parameters'),
     (["compare", EXAMPLES / "developable.toml", "--shape", "1,1,1,1"], "shape: expected 2 numbers (alpha, zeta), f"),
     # patches
-    (["table", SEVERAL], "has 2 patches (rear window, boot lid): choose one by its name"),
-    (["compare", SEVERAL], "has 2 patches (rear window, boot lid): choose one by its name"),
+    (["compare", SEVERAL, "OUT"], "has 2 patches (rear window, boot lid): choose one by its name"),
     (["table", SEVERAL, "--patch", "boot lit"], "no patch 'boot lit'; did you mean 'boot lid'?"),
     (["plot", SEVERAL, "-o", "p.png", "-q", "mean", "--view", "flat"], "--patch: a flat map shows one surface"),
     # commands

@@ -17,7 +17,7 @@ ROOMS = (
     "kernel developables model enclosures",
     "analysis",
     "interrogation sweep multipatch",
-    "figure shaping mesh",
+    "builders figure shaping mesh",
     "exchange",
     "studio",
     "report",

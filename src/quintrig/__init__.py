@@ -17,6 +17,12 @@ if TYPE_CHECKING:
     from quintrig.analysis.sample import analyse as analyse
     from quintrig.analysis.stream import analyse_blocks as analyse_blocks
     from quintrig.analysis.summary import summarise as summarise
+    from quintrig.builders.cap import cap as cap
+    from quintrig.builders.fill import fill as fill
+    from quintrig.builders.grid import grid_of_patches as grid_of_patches
+    from quintrig.builders.mirror import mirror as mirror
+    from quintrig.builders.strips import blend as blend
+    from quintrig.builders.strips import extend as extend
     from quintrig.developables.regression import regression as regression
     from quintrig.developables.unroll import Sheet as Sheet
     from quintrig.developables.unroll import unroll as unroll
@@ -84,6 +90,11 @@ _HOME = {
     "support.errors": ("ModelError",),
     "model.model": ("Model", "load"),
     "model.save": ("save",),
+    "builders.cap": ("cap",),
+    "builders.fill": ("fill",),
+    "builders.grid": ("grid_of_patches",),
+    "builders.mirror": ("mirror",),
+    "builders.strips": ("blend", "extend"),
     "multipatch.attach": ("join",),
     "multipatch.find": ("find_joins",),
     "multipatch.joins": ("Joins",),

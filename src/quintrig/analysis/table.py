@@ -101,6 +101,21 @@ def tabulate(
     return Table(title, _notes(sample, keys, unit, whole), tuple(columns), region=region)
 
 
+def stacked(tables: Sequence[tuple[str, Table]], title: str = "") -> Table:
+    """Return tables of several patches as one, the patch in its first column; only columns that all of them have."""
+    first = tables[0][1]
+    shared = [one for one in first.columns if all(one.key in {c.key for c in table.columns} for _, table in tables)]
+    names = tuple(name for name, table in tables for _ in table.columns[0].values)
+    columns = [Column("patch", "patch", r"\mathrm{patch}", "patch", "", names, names)]
+    for one in shared:
+        parts = [next(c for c in table.columns if c.key == one.key) for _, table in tables]
+        values, rounded = (tuple(x for part in parts for x in getattr(part, what)) for what in ("values", "rounded"))
+        columns.append(replace(one, values=values, rounded=rounded))
+    alike = [note for note in first.notes if all(note in table.notes for _, table in tables)]
+    own = [f"{name}: {note}" for name, table in tables for note in table.notes if note not in alike]
+    return Table(title, (*alike, *own), tuple(columns), lead=first.lead + 1)
+
+
 def _within(key: str, values: NDArray[Any], inside: BoolArray) -> NDArray[Any]:
     """Return values (...) or vectors (..., 3) with none outside a face; a point has its place all the same."""
     if key == "point" or inside.all():

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
     from quintrig.analysis.table import Table
     from quintrig.figure import View
+    from quintrig.model.model import Model
     from quintrig.model.patch import NamedCurve
     from quintrig.report.shape_effect_page import Picture
     from quintrig.shaping.curve_effect import CurveVariant
@@ -58,17 +59,22 @@ def compare(
     """Show the effect of shape parameters: the model's own, and other sets beside them.
 
     Writes a page with pictures on one scale of length and colour and a table of intensities: least, greatest and mean
-    K and H, area and energies; of a curve length, extreme curvature and torsion, bending energy. In a folder the
-    pictures and the table are files too.
+    K and H, area and energies; of a curve length, extreme curvature and torsion, bending energy; of a model with
+    several patches, of its seams too: what follows the patch by [[join]] tables is carried along. In a folder the
+    pictures and the tables are files too.
     """
     from quintrig.figure.plot import read_quantities, read_view
 
     keys, seen = read_quantities([word.strip() for word in quantities.split(",")]), read_view(view)
     loaded = session.load_any(model)
     from quintrig.model.patch import NamedCurve
+    from quintrig.shaping.seam_effect import seam_effect
     from quintrig.shaping.shape_effect import beside_own, intensities, standard_shapes, variant
     from quintrig.support.files import refuse_unwritable, write_whole
 
+    if patch is None and len(loaded.patches) > 1 and out is None:
+        _whole(loaded, shape)
+        return
     curve = not loaded.patches or patch in [one.name for one in loaded.curves]
     one = loaded.curve(patch) if curve else loaded.patch(patch)
     shapes = [session.numbers(text, None, "--shape") for text in shape] if shape else standard_shapes(one)
@@ -91,9 +97,12 @@ def compare(
             progress(f"shape parameters {index + 1} of {len(sets)}", index, len(sets))
             found.append(variant(changed, loaded.unit, own=index == 0))
         table = intensities(found, title)
-        results = {} if out is None else _results(out, found, table, keys, seen, progress)
+        seams = seam_effect(loaded, one.name, sets, [v.label for v in found]) if len(loaded.patches) > 1 else None
+        results = {} if out is None else _results(out, found, table, keys, seen, progress, seams)
     if out is None:
         print_table(table, session.output())
+        if seams is not None:
+            print_table(seams, session.output())
         return
     for path, content in results.items():
         write_whole(path, content)
@@ -118,6 +127,30 @@ def _of_curve(curves: "Sequence[NamedCurve]", out: Path | None, title: str, unit
     session.done(out if out.suffix.lower() == ".html" else out / "index.html")
 
 
+def _whole(model: "Model", shape: list[str] | None) -> None:
+    """Print the intensities of every patch that has shape parameters, and what they do to its seams."""
+    from quintrig.analysis.table import stacked
+    from quintrig.shaping.seam_effect import seam_effect
+    from quintrig.shaping.shape_effect import beside_own, intensities, standard_shapes, variant
+    from quintrig.support.errors import ModelError
+
+    varied = [one for one in model.patches if one.definition.acting]
+    if not varied:
+        raise ModelError(f"model {model.name!r}: no patch has shape parameters to vary")
+    given = [session.numbers(text, None, "--shape") for text in shape or []]
+    tables: list[tuple[str, Table]] = []
+    seams: list[tuple[str, Table]] = []
+    with session.progress() as progress:
+        for index, one in enumerate(varied):
+            progress(f"patch {one.name}", index, len(varied))
+            sets = beside_own(one, given or standard_shapes(one))
+            found = [variant(changed, model.unit, own=k == 0) for k, changed in enumerate(sets)]
+            tables.append((one.name, intensities(found)))
+            seams.append((one.name, seam_effect(model, one.name, sets, [v.label for v in found])))
+    print_table(stacked(tables, f"{model.name}: effect of the shape parameters"), session.output())
+    print_table(stacked(seams, f"{model.name}: seams"), session.output())
+
+
 def _results(
     out: Path,
     found: "Sequence[Variant]",
@@ -125,22 +158,36 @@ def _results(
     keys: "Sequence[str | None]",
     view: "View",
     progress: "Callable[[str, int, int], None]",
+    seams: "Table | None" = None,
 ) -> dict[Path, str | bytes]:
     """Return the files to write, the page first: all is made before anything is written."""
     from quintrig.report.shape_effect_page import pictures
 
     drawn = pictures(found, keys, view, table.title.partition(": effect")[0], progress)
-    return _files(out, found, table, drawn)
+    return _files(out, found, table, drawn, seams)
 
 
 def _files(
-    out: Path, found: "Sequence[Variant] | Sequence[CurveVariant]", table: "Table", drawn: "Sequence[Picture]"
+    out: Path,
+    found: "Sequence[Variant] | Sequence[CurveVariant]",
+    table: "Table",
+    drawn: "Sequence[Picture]",
+    seams: "Table | None" = None,
 ) -> dict[Path, str | bytes]:
     """Return the page, and in a folder the pictures and the table as files too."""
     from quintrig.exchange.tables import TABLE_FORMATS, WRITERS
     from quintrig.report.shape_effect_page import page
 
     if out.suffix.lower() == ".html":
-        return {out: page(found, table, drawn)}
-    tables = {out / f"intensities{suffix}": WRITERS[form](table) for suffix, form in TABLE_FORMATS.items()}
-    return {out / "index.html": page(found, table, drawn), **{out / one.name: one.png for one in drawn}, **tables}
+        return {out: page(found, table, drawn, seams)}
+    tables: dict[Path, str | bytes] = {
+        out / f"{name}{suffix}": WRITERS[form](one)
+        for name, one in (("intensities", table), ("seams", seams))
+        if one is not None
+        for suffix, form in TABLE_FORMATS.items()
+    }
+    return {
+        out / "index.html": page(found, table, drawn, seams),
+        **{out / one.name: one.png for one in drawn},
+        **tables,
+    }

@@ -46,8 +46,12 @@ def joins(
     ] = 0.2,
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON: joins, free edges, poles, limits.")] = False,
     output: Annotated[
-        Path | None, typer.Option("-o", "--output", metavar="FILE", help="Write .csv, .json, .md, .tex, or a picture.")
+        Path | None,
+        typer.Option("-o", "--output", metavar="FILE", help="Write .csv, .json, .md, .tex, .dxf, or a picture."),
     ] = None,
+    view: Annotated[
+        str, typer.Option(metavar="VIEW", help="Of a picture: iso, side, back, top, or AZIMUTH,ELEVATION.")
+    ] = "iso",
     strict: Annotated[bool, typer.Option("--strict", help="Exit with 1 where a seam is nearly closed.")] = False,
 ) -> None:
     """Tell which edges meet, and how smoothly: open, G0, G1, G2 or G3.
@@ -58,7 +62,11 @@ def joins(
     loaded = session.load(model)
     result = loaded.joins(preset=preset, tolerance=tolerance, angle=angle, curvature=curvature, near=near)
     if output and output.suffix.lower() in _PICTURES:
-        _draw(loaded, result, output)
+        _draw(loaded, result, output, view)
+    elif output and output.suffix.lower() == ".dxf":
+        from quintrig.exchange.seams import seams_dxf
+
+        session.deliver(seams_dxf(result), output, model)
     else:
         _tell(result, model, as_json, output)
     if strict and result.warnings:
@@ -67,11 +75,12 @@ def joins(
         raise typer.Exit(FOUND)
 
 
-def _draw(model: "Model", result: "Joins", output: Path) -> None:
+def _draw(model: "Model", result: "Joins", output: Path, view: str) -> None:
     from quintrig.figure import save, seam_picture
+    from quintrig.figure.plot import read_view
 
     replaced = output.is_file()
-    figure = seam_picture([patch.surface for patch in model.patches], result, title=model.name)
+    figure = seam_picture([patch.surface for patch in model.patches], result, title=model.name, view=read_view(view))
     session.wrote(save(figure, output), replaced)
 
 
@@ -80,7 +89,7 @@ def _tell(result: "Joins", model: Path, as_json: bool, output: Path | None) -> N
 
     chosen = TABLE_FORMATS.get(output.suffix.lower()) if output and str(output) != "-" else None
     if output and not chosen and not as_json:
-        raise ValueError(f"{output}: expected a name ending in {', '.join((*TABLE_FORMATS, *_PICTURES))}")
+        raise ValueError(f"{output}: expected a name ending in {', '.join((*TABLE_FORMATS, *_PICTURES, '.dxf'))}")
     if as_json or chosen == "json":
         session.deliver(json.dumps(result.to_dict(), ensure_ascii=False, indent=1) + "\n", output, model)
     elif chosen:

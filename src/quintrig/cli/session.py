@@ -174,7 +174,9 @@ def numbers(text: str, count: int | None, name: str) -> tuple[float, ...]:
     return values
 
 
-def counts(text: str, name: str, most: int = 10**12, remedy: str = "choose a coarser grid") -> tuple[int, int]:
+def counts(
+    text: str, name: str, most: int = 10**12, remedy: str = "choose a coarser grid", least: int = 2
+) -> tuple[int, int]:
     """Read two counts such as 20x30, or one for both, at most ``most`` in all.
 
     Raises ValueError naming the option, and the ``remedy`` for too many.
@@ -187,8 +189,8 @@ def counts(text: str, name: str, most: int = 10**12, remedy: str = "choose a coa
     if any(len(word.strip()) > 12 for word in words) or int(words[0]) * int(words[1]) > most:
         raise ValueError(f"{name}: expected at most {most:,} points, got {text[:60]}; {remedy}")
     found = int(words[0]), int(words[1])
-    if min(found) < 2:
-        raise ValueError(f"{name}: expected 2 or more points each way, got {text[:60]}")
+    if min(found) < least:
+        raise ValueError(f"{name}: expected {least} or more each way, got {text[:60]}")
     return found
 
 

@@ -71,8 +71,9 @@ def sweep(
     """Evaluate every design of a space of shape parameters, and find the best.
 
     Each design becomes a row of summaries: extremes and means of K, H and C, area, energies, the share of each HK type,
-    the number of singular points. Of a curve, length, extreme curvature and torsion, bending energy, inflections. Rows
-    go to Parquet files in a folder; a stopped sweep continues where it was.
+    the number of singular points. What follows the patch by [[join]] tables is carried along, and summed up with it.
+    Of a curve, length, extreme curvature and torsion, bending energy, inflections. Rows go to Parquet files in a
+    folder; a stopped sweep continues where it was.
     """
     from quintrig.sweep.query import Question
     from quintrig.sweep.store import load_sweep

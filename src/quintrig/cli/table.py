@@ -83,10 +83,22 @@ def table(
         raise ValueError(
             f"--format: expected csv, json, md or latex for {count:,} points; the screen shows at most {_MOST_SHOWN:,}"
         )
-    from quintrig.analysis.table import tabulate
+    from quintrig.analysis.table import stacked, tabulate
 
-    one = loaded.patch(patch)
     keys = [word.strip() for word in quantities.split(",")] if quantities is not None else None
+    if patch is None and len(loaded.patches) > 1:
+        if chosen == "text" and count * len(loaded.patches) > _MOST_SHOWN:
+            raise ValueError(
+                f"--format: expected csv, json, md or latex for {count * len(loaded.patches):,} points of "
+                f"{len(loaded.patches)} patches; the screen shows at most {_MOST_SHOWN:,}, or choose one by --patch"
+            )
+        parts = [
+            (one.name, tabulate(one.surface, u, v, keys, metric=metric, unit=loaded.unit, whole=whole))
+            for one in loaded.patches
+        ]
+        _deliver(stacked(parts, loaded.name), chosen, output, digits, siunitx, model, points)
+        return
+    one = loaded.patch(patch)
     title = loaded.name if len(loaded.patches) == 1 else f"{loaded.name}: {one.name}"
     result = tabulate(one.surface, u, v, keys, metric=metric, unit=loaded.unit, title=title, whole=whole)
     _deliver(result, chosen, output, digits, siunitx, model, points)

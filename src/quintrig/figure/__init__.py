@@ -39,3 +39,4 @@ from quintrig.figure.whole import map_panels as map_panels
 from quintrig.figure.whole import panels as panels
 from quintrig.figure.whole import space_picture as space_picture
 from quintrig.figure.wording import normal_note as normal_note
+from quintrig.figure.zebra import zebra_picture as zebra_picture

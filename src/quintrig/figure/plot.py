@@ -23,6 +23,7 @@ from quintrig.figure.space import draw_space
 from quintrig.figure.space_curves import curve_traces, space_curves
 from quintrig.figure.style import Style, changed, inches, style_named
 from quintrig.figure.whole import flat_map, map_panels, panels, space_picture
+from quintrig.figure.zebra import zebra_picture
 from quintrig.geometry.curve import Curve
 from quintrig.geometry.surface import Surface
 from quintrig.model.model import Model
@@ -38,6 +39,9 @@ ViewName = str | tuple[float, float]
 
 CURVE_PICTURES = ("curve", "comb", "hull", "curvature", "torsion")
 """What is drawn of curves."""
+
+
+_ARROWS = 8  # patches of which each shows its normal; of more the arrows would hide them
 
 
 @dataclass(frozen=True)
@@ -75,9 +79,9 @@ def plot(
 ) -> Figure:
     """Return a picture of a surface, patch, model, curve, several curves or a sample, as a matplotlib figure.
 
-    ``quantity`` is a key or symbol of the table, several for pictures side by side, "surface" for the plain one; for
-    curves "curve", "comb", "hull", "curvature" or "torsion", the last two over arc length where the curves go on end to
-    end. ``view`` is iso, side, back, top, all, flat (a map over u and v) or
+    ``quantity`` is a key or symbol of the table, several for pictures side by side, "surface" for the plain one,
+    "zebra" for stripes that are reflected; for curves "curve", "comb", "hull", "curvature" or "torsion", the last two over arc
+    length where the curves go on end to end. ``view`` is iso, side, back, top, all, flat (a map over u and v) or
     (azimuth, elevation) in degrees. ``net`` draws the control net, ``lines`` so many parameter lines each way, ``at``
     marks parameters. ``unit`` and ``heading`` are those of a model where it is one. ``style`` is "standard", "journal"
     or a ``Style``, of which title, caption, limits, percentiles, colours, levels, font and size (points) change what
@@ -100,13 +104,22 @@ def plot(
     if isinstance(subject, Sample):
         figure = _of_sample(subject, names, page, axes)
     elif isinstance(subject, Surface | Patch) or (isinstance(subject, Model) and subject.patches):
-        surfaces, keys = _surfaces(subject), read_quantities(names)
+        surfaces = _surfaces(subject)
+        if names == ["zebra"] and axes is None and view not in ("all", "flat"):
+            seen, across = read_view(view), page.width or 6.4
+            figure = zebra_picture(
+                surfaces, view=seen, title=page.heading, unit=page.unit, width=across, style=page.style
+            )
+            if save is not None:
+                write(figure, save)
+            return figure
+        keys = read_quantities(names)
         scene = Scene(
             read_view(view, ("all", "flat")),
             net=net,
             isolines=lines,
             marks=_marks(at),
-            normal=None in keys and view != "all",
+            normal=None in keys and view != "all" and len(surfaces) <= _ARROWS,
             traces=_beside(subject) if view != "flat" else (),
         )
         if axes is not None:
@@ -124,6 +137,8 @@ def plot(
 
 def read_quantities(names: Sequence[str]) -> list[str | None]:
     """Return the keys of quantities, None for the plain surface; ValueError for what no colour shows."""
+    if "zebra" in names:
+        raise ArgumentError("zebra stripes are drawn alone, in one view in space", "quantity")
     keys = [None if name == "surface" else row(name).key for name in names]
     for key in keys:
         if key is not None and row(key).kind == "vector":

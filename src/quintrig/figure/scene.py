@@ -43,7 +43,8 @@ class Scene:
 
     ``cells`` is the number of facets a side (with 120 no facet's middle is at a simple fraction, where a symmetric
     surface may have zeros), ``isolines`` the number of parameter lines inside, each way. ``zeros`` draws where the
-    quantity shown changes its sign, ``normal`` an arrow, ``regression`` the edge of regression where it lies inside.
+    quantity shown changes its sign, ``normal`` an arrow, ``regression`` the edge of regression where it lies inside,
+    ``rims`` the edges of the patches.
     """
 
     view: View = ISO
@@ -54,6 +55,7 @@ class Scene:
     zeros: bool = True
     normal: bool = False
     regression: bool = True
+    rims: bool = True
     frame: bool = True
     cells: int = 120
 

@@ -33,6 +33,7 @@ def draw_space(
     fields: Sequence[Field] = (),
     stretch: Limits | None = None,
     colours: Sequence[str] = (),
+    tints: Sequence[FloatArray] = (),
     opacity: float = 1.0,
     unit: str = "",
     box: Box | None = None,
@@ -41,9 +42,10 @@ def draw_space(
 ) -> Stage:
     """Draw surfaces on axes, seen in parallel projection at one scale in all directions.
 
-    ``fields`` (from ``facet_fields``) colour them by a quantity, ``colours`` each in one colour; without either, the
-    side of the normal and the back have two colours. ``box`` fixes what is framed and ``point`` the length¹ of a
-    printer's point, for pictures side by side. Thin contour lines run along the ``levels`` of what is shown.
+    ``fields`` (from ``facet_fields``) colour them by a quantity, ``colours`` each in one colour, ``tints``
+    (cells, cells, 3) facet by facet; without any, the side of the normal and the back have two colours. ``box``
+    fixes what is framed and ``point`` the length¹ of a printer's point, for pictures side by
+    side. Thin contour lines run along the ``levels`` of what is shown.
     """
     scene = scene or Scene()
     low, high = box or bounds(surfaces, scene)
@@ -60,8 +62,9 @@ def draw_space(
         meshes.append(scene.view.project(mesh))
         rgb = f.colours(stretch) if f else np.tile(to_rgb(colour), (cells, cells, 1)) if colour else None
         within = inside(mesh, (low, high))
-        kept = _face(surface, cells)
-        layer = [facets(mesh, scene.view, rgb, surface.sign, within, readable=f is not None, face=kept)]
+        rgb = tints[index] if tints else rgb
+        kept, plain = _face(surface, cells), f is not None or bool(tints)
+        layer = [facets(mesh, scene.view, rgb, surface.sign, within, readable=plain, face=kept)]
         lines = _lines_on(surface, mesh, scene, stage, f, colour if opacity < 1.0 else _RIM, levels)
         if opacity < 1.0:
             _paint(stage, joined(layer), opacity)
@@ -102,7 +105,7 @@ def _lines_on(
     thin = [_on_face(surface, np.full_like(v, x), v) for x in across]
     thin += [_on_face(surface, u, np.full_like(u, x)) for x in up]
     paints = [strokes(_cut(line, box), scene.view, "#6e6e6e", 0.4, step, lift) for line in thin]
-    paints += [strokes(_cut(line, box), scene.view, rim, 0.9, step, lift) for line in rims(surface) or _rim(mesh)]
+    paints += [strokes(_cut(line, box), scene.view, rim, 0.9, step, lift) for line in _rims(surface, mesh, scene)]
     if scene.zeros and f is not None and f.quantity.colour == "diverging":
         dashed = f.quantity.key == "mean"
         for line in zero_lines(traced(surface, f.quantity.key, _ZEROS)):
@@ -116,6 +119,10 @@ def _lines_on(
         for line in regression_lines(surface):
             paints.append(strokes(_cut(line, box), scene.view, REGRESSION, 1.8, step, lift))
     return paints
+
+
+def _rims(surface: Surface, mesh: FloatArray, scene: Scene) -> list[FloatArray]:
+    return (rims(surface) or _rim(mesh)) if scene.rims else []
 
 
 def _face(surface: Surface, cells: int) -> BoolArray | None:

@@ -49,6 +49,16 @@ def held(tables: Any, names: tuple[str, ...]) -> tuple[Held, ...]:
     return _in_order(rules, names)
 
 
+def carried(rules: tuple[Held, ...], name: str) -> tuple[str, ...]:
+    """Return the names of a patch and of all that follow it, directly or through others; ``rules`` as from ``held``."""
+    found = [name]
+    for rule in rules:  # those that lead come first
+        first, second = rule.patches
+        if first in found and second not in found:
+            found.append(second)
+    return tuple(found)
+
+
 def _rule(table: Any, number: int, names: tuple[str, ...]) -> Held:
     place = f"join {number}"
     if not isinstance(table, dict):

@@ -39,7 +39,7 @@ class Match:
 
 
 @dataclass(frozen=True, eq=False)
-class _Strip:
+class Strip:
     """Derivatives across an edge at points along it, by the points of the net, (order + 1, n, net).
 
     ``along`` (n, m) are the functions along the edge at these points.
@@ -74,13 +74,14 @@ def _signs(k: int, order: int, outward: bool) -> FloatArray:
     return np.array([1.0 if forward else (-1.0) ** i for i in range(order + 1)])
 
 
-def _strip(surface: Surface, net: FloatArray, side: str, t: FloatArray, order: int, outward: bool) -> _Strip:
+def strip_of(surface: Surface, net: FloatArray, side: str, t: FloatArray, order: int, outward: bool) -> Strip:
+    """Return the derivatives across a side at t along it, as they depend on a net (n, m, 3)."""
     k = SIDES.index(side)
     functions = (getattr(surface.rows, "functions"), surface.blend)  # noqa: B009 - a net's rows share some
     cross = functions[0 if k < 2 else 1].derivatives(float(k % 2), order) * _signs(k, order, outward)[:, None]
     along = functions[1 if k < 2 else 0].derivatives(t, 0)[0]
     form = "ki,nj->knij" if k < 2 else "kj,ni->knij"
-    return _Strip(np.einsum(form, cross, along).reshape(order + 1, len(t), -1), net, along)
+    return Strip(np.einsum(form, cross, along).reshape(order + 1, len(t), -1), net, along)
 
 
 def layers(surface: Surface, side: str) -> int:
@@ -114,7 +115,7 @@ def match(
     exact = solver.exact(kappa, moved, free)
     if other is None:
         return Match(None, handle.values + moved, kappa, float(np.linalg.norm(moved)), exact)
-    own = _strip(first, other.net(other.values), first_side, t, order, outward=True)
+    own = strip_of(first, other.net(other.values), first_side, t, order, outward=True)
     shift, exact = _both(own, strip, other.map(), linear, kappa, free, order)
     one, two = other.values + shift[: len(other.values)], handle.values + shift[len(other.values) :]
     return Match(one, two, kappa, float(np.linalg.norm(shift)), exact)
@@ -147,7 +148,7 @@ def match_all(surface: Surface, handle: Handle, conditions: Sequence[Condition])
         whole[row : row + len(block), :cut] = block[:, :cut]
         whole[row : row + len(block), cut + start : cut + end] = block[:, cut:]
         row += len(block)
-    x = _least_change(whole, np.concatenate([right for _, right in parts]), cut)
+    x = least_change(whole, np.concatenate([right for _, right in parts]), cut)
     free = np.split(x[cut:], more[1:-1])
     met = tuple(
         solver.exact(one.ratio, x[:cut], own) for solver, one, own in zip(solvers, conditions, free, strict=True)
@@ -167,7 +168,7 @@ def _solver(
 ) -> "_Solver":
     count = max(_POINTS, 2 * max(net.shape[:2]))
     target = derivatives_across(first, first_side, _along(count, False), order, outward=True)
-    strip = _strip(second, net, second_side, _along(count, reverse), order, outward=False)
+    strip = strip_of(second, net, second_side, _along(count, reverse), order, outward=False)
     return _Solver(target, strip, linear, order, first.size, second.size)
 
 
@@ -175,20 +176,20 @@ class _Solver:
     """The conditions of a join for one pair of edges, to be solved for several ratios."""
 
     def __init__(
-        self, target: FloatArray, strip: _Strip, linear: FloatArray, order: int, first: float, second: float
+        self, target: FloatArray, strip: Strip, linear: FloatArray, order: int, first: float, second: float
     ) -> None:
         """Lay out the conditions on derivative k, in terms of the functions along the edge."""
         weights = _weights(target.shape[1])[::3, None]
         fit = np.linalg.pinv(strip.along * weights) * weights.T
         self.full, self.strip, self.order = target, strip, order
         self.target, self.now = fit @ target, fit @ strip.values
-        self.left = [_rows(fit @ strip.matrix[k], linear) for k in range(order + 1)]
+        self.left = [rows_of(fit @ strip.matrix[k], linear) for k in range(order + 1)]
         self.linear, self.size = linear, max(first, second)
 
     def solve(self, kappa: float) -> tuple[FloatArray, FloatArray]:
         """Return the change of the coordinates, and (μ, ν) as far as the order has them."""
         cut = self.left[0].shape[1]
-        x = _least_change(*self.system(kappa), cut)
+        x = least_change(*self.system(kappa), cut)
         return x[:cut], x[cut:]
 
     def system(self, kappa: float) -> tuple[FloatArray, FloatArray]:
@@ -222,7 +223,7 @@ def chained(target: FloatArray, kappa: float) -> tuple[list[FloatArray], list[tu
     return wanted, [(none, none), (none, none), (padded[1], none), (3.0 * kappa * padded[2], padded[1])]
 
 
-def _rows(matrix: FloatArray, linear: FloatArray) -> FloatArray:
+def rows_of(matrix: FloatArray, linear: FloatArray) -> FloatArray:
     """Return the derivatives (n 3) by the free coordinates: the matrix (n, net) on each of x, y, z."""
     net = linear.reshape(matrix.shape[1], 3, -1)
     return np.einsum("na,axp->nxp", matrix, net).reshape(3 * len(matrix), -1)
@@ -234,12 +235,12 @@ def _weights(points: int) -> FloatArray:
     return weights.ravel()
 
 
-def _least_change(a: FloatArray, b: FloatArray, count: int) -> FloatArray:
+def least_change(a: FloatArray, b: FloatArray, count: int) -> FloatArray:
     """Return x that solves a x = b as well as possible with the least first ``count`` coordinates."""
     touched = (a != 0.0).any(axis=0)
     if not touched.all():
         x = np.zeros(a.shape[1])
-        x[touched] = _least_change(a[:, touched], b, int(touched[:count].sum()))
+        x[touched] = least_change(a[:, touched], b, int(touched[:count].sum()))
         return x
     scale = np.linalg.norm(a, axis=0)
     scale = np.where(scale > 0.0, np.where(np.arange(len(scale)) < count, 1.0, scale), 1.0)
@@ -276,8 +277,8 @@ def _least(solver: _Solver) -> float:
 
 
 def _both(
-    own: _Strip,
-    strip: _Strip,
+    own: Strip,
+    strip: Strip,
     first: FloatArray,
     second: FloatArray,
     kappa: float,
@@ -298,11 +299,12 @@ def _both(
     blocks, right = list[FloatArray](), list[FloatArray]()
     for k, mine in enumerate(chain):
         scale = weights / np.pi**k
-        blocks.append(np.concatenate([-_rows(mine, first), _rows(strip.matrix[k], second)], axis=-1) * scale[:, None])
+        pair = [-rows_of(mine, first), rows_of(strip.matrix[k], second)]
+        blocks.append(np.concatenate(pair, axis=-1) * scale[:, None])
         gap = mine @ own.net.reshape(-1, 3) - strip.values[k]
         right.append(gap.ravel() * scale)
     a, b = np.concatenate(blocks), np.concatenate(right)
-    x = _least_change(a, b, a.shape[1])
+    x = least_change(a, b, a.shape[1])
     miss = np.abs(a @ x - b).max()
     size = float(np.linalg.norm(np.ptp(own.net.reshape(-1, 3), axis=0)))
     return x, bool(miss <= _EXACT * size)

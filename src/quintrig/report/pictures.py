@@ -22,6 +22,7 @@ from quintrig.figure import (
     space_picture,
     to_bytes,
     to_png_bytes,
+    zebra_picture,
 )
 from quintrig.figure.field import field as field_of
 from quintrig.figure.field import zero_lines
@@ -101,6 +102,7 @@ def overview(model: Model, joins: Joins) -> Iterator[Picture]:
         yield Picture(f"all-{key}", f"All patches, coloured by {BY_KEY[key].name}.", partial(draw, surfaces, key))
     counts = ", ".join(f"{count} {order}" for order, count in joins.counts.items() if count) or "none"
     yield Picture("all-seams", f"All patches with their seams: {counts}.", partial(seam_picture, surfaces, joins))
+    yield Picture("all-zebra", "All patches reflecting stripes.", partial(zebra_picture, surfaces, unit=model.unit))
 
 
 def pictures(facts: Facts, detailed: bool) -> tuple[Picture, ...]:

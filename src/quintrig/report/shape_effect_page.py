@@ -90,7 +90,12 @@ def curve_pictures(found: Sequence[CurveVariant], unit: str = "", name: str = ""
     return tuple(drawn)
 
 
-def page(found: Sequence[Variant] | Sequence[CurveVariant], table: Table, drawn: Sequence[Picture]) -> str:
+def page(
+    found: Sequence[Variant] | Sequence[CurveVariant],
+    table: Table,
+    drawn: Sequence[Picture],
+    seams: Table | None = None,
+) -> str:
     """Return the page as HTML with its pictures inside: nothing beside it and no network is needed."""
     environment = Environment(autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
     template = environment.from_string((files("quintrig.report.templates") / "shape_effect.html.j2").read_text("utf-8"))
@@ -105,5 +110,9 @@ def page(found: Sequence[Variant] | Sequence[CurveVariant], table: Table, drawn:
         names=names,
         kind="curve" if part.kind == "curve" else f"{part.kind} surface",
         pictures=drawn,
+        seams=seams,
+        seam_rows=[[shown(cell) for cell in row] for row in zip(*(c.rounded for c in seams.columns), strict=True)]
+        if seams
+        else [],
         version=__version__,
     )

@@ -16,6 +16,7 @@ from quintrig.support.arrays import FloatArray
 from quintrig.support.errors import ArgumentError, ModelError
 from quintrig.sweep.affine import amounts_above, is_affine, weights
 from quintrig.sweep.curves import CURVE_COLUMNS, curve_summary
+from quintrig.sweep.family import Family, combined
 from quintrig.sweep.measure import affine_measure, single_measure
 from quintrig.sweep.nodes import WIDEST
 from quintrig.sweep.space import DesignSpace, check
@@ -73,6 +74,10 @@ class Task:
         """Return the unit of a column in text, such as 1/mm²; empty for a pure number or where the model has none."""
         return column_unit(column, str(self.model.get("unit", "")), self.of_curve)
 
+    def family(self) -> Family:
+        """Return the patch that is varied with what its joins carry along."""
+        return Family(Model.from_dict(self.model), self.patch)
+
     def to_dict(self) -> dict[str, Any]:
         """Return plain data that tells this sweep from every other."""
         return {
@@ -91,11 +96,15 @@ def summaries(task: Task, start: int, stop: int) -> FloatArray:
     Each row depends on its design alone, so that parts computed anywhere, in any order, are the same to the last bit.
     """
     designs = task.space.designs(start, stop)
-    patch = task.varied()
-    if isinstance(patch, NamedCurve):
-        rows = [curve_summary(patch, dict(zip(task.space.names, one, strict=True))) for one in designs.tolist()]
+    varied = task.varied()
+    if isinstance(varied, NamedCurve):
+        rows = [curve_summary(varied, dict(zip(task.space.names, one, strict=True))) for one in designs.tolist()]
         return np.concatenate([designs, np.stack(rows)], axis=1)
-    if is_affine(patch, task.space):
+    family = task.family()
+    patch = family.patch
+    if family.followers:
+        result = np.stack([_together(task, family, design) for design in designs.tolist()])
+    elif is_affine(patch, task.space):
         measure = affine_measure(patch, task.space, designs, task.thresholds)
         still = amounts_above(weights(patch, task.space, designs), patch.kind == "ruled")
         result = true_summaries(measure, WIDEST * still, task.points, patch.surface)
@@ -114,6 +123,23 @@ def _one(task: Task, patch: Patch, design: list[float]) -> FloatArray:
         return result
     widths = np.array([layers_at_edges(surface)])
     return true_summaries(single_measure(surface, task.thresholds), widths, task.points, surface)[0]
+
+
+def _together(task: Task, family: Family, design: list[float]) -> FloatArray:
+    """Return the summary of one design of a patch and of all that follow it, taken together."""
+    try:
+        surfaces = family.surfaces(dict(zip(task.space.names, design, strict=True)))
+    except ModelError:  # a design that its joins cannot all meet has none
+        result = np.full(len(COLUMNS), np.nan)
+        result[COLUMNS.index("singular")] = task.points**2 * (1 + len(family.followers))
+        return result
+    rows = [
+        true_summaries(
+            single_measure(surface, task.thresholds), np.array([layers_at_edges(surface)]), task.points, surface
+        )[0]
+        for surface in surfaces
+    ]
+    return combined(np.array(rows))
 
 
 def columns(space: DesignSpace) -> tuple[str, ...]:

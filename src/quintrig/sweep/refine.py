@@ -72,10 +72,11 @@ def _refine(sweep: Sweep, rows: dict[str, FloatArray], row: int) -> None:
         return
     values = {name: float(rows[name][row]) for name in sweep.task.space.names}
     try:
-        surface = sweep.task.built().with_parameters(values).surface
+        surfaces = sweep.task.family().surfaces(values)
     except ModelError:
         return
-    for key, (least, greatest) in find_ends(surface, EXTREMES).items():
+    ends = [(key, *pair) for surface in surfaces for key, pair in find_ends(surface, EXTREMES).items()]
+    for key, least, greatest in ends:
         for name, end, sense in ((f"{key}_min", least, 1.0), (f"{key}_max", greatest, -1.0)):
             known = rows[name][row]
             if end.status == "unbounded":
