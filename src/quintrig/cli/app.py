@@ -15,6 +15,7 @@ from quintrig.cli import (
     import_,
     join,
     joins,
+    lines,
     new,
     plot,
     report,
@@ -22,6 +23,7 @@ from quintrig.cli import (
     schema,
     sweep,
     table,
+    umbilics,
     view,
 )
 
@@ -68,6 +70,8 @@ def build() -> typer.Typer:
         import_,
         join,
         joins,
+        lines,
+        umbilics,
         reproduce,
         sweep,
         basis,

@@ -23,6 +23,7 @@ from quintrig.support.arrays import FloatArray
 _SPACING = 1.0 / 12.0  # of the size
 _LENGTH = 10.0  # of the size: lines that do not close end there
 _LONGEST = 1000.0  # of the size
+_NET = 1e-9  # relative error of the steps of a net
 _BESIDE = 1e-3  # of the size: from an umbilic, where a line that leaves it is begun
 
 _LABELS = {1: "κ1", 2: "κ2"}
@@ -108,6 +109,7 @@ def _net(on: Subject, ask: Ask, flow: Flow, reach: float) -> list[Curve]:
     spacing = length(ask.spacing, "spacing", _SPACING * on.size)
     few(2.0 * on.size / spacing, "spacing", f"take at least {2.0 * on.size / MOST:.3g}")
     tracer = Tracer(on.surfaces, flow, on.chord, 0.25 * spacing)
+    tracer.relative = _NET
     net = Net(tracer, spacing, reach, MOST, on.progress)
     starts = [(k, uv) for k, surface in enumerate(on.surfaces) for uv in _starts(tracer, k) if surface.inside(*uv)]
     for start in starts:

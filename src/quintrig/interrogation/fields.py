@@ -5,7 +5,6 @@ from collections.abc import Callable
 import numpy as np
 
 from quintrig.analysis.sample import analyse
-from quintrig.geometry.closest_point import projected
 from quintrig.geometry.surface import Surface
 from quintrig.interrogation.levels import Parts, Scalar
 from quintrig.interrogation.local import Local, dot
@@ -105,21 +104,53 @@ def ridge_scalar(surface: Surface, family: int) -> Scalar:
 def other_scalar(surface: Surface, other: Surface) -> Scalar:
     """Return the distance (length¹) to another surface, with a sign by its side; NaN where its foot is on an edge."""
 
+    near = Feet(other)
+
     def parts(u: FloatArray, v: FloatArray) -> Parts:
         points = surface(u, v)
         flat = points.reshape(-1, 3)
-        feet = projected(other, flat)
+        feet = near(flat)
         with np.errstate(divide="ignore", invalid="ignore"):
             local = Local.at(other, *feet.T, order=1)
             gap = flat - local.point
             up = dot(gap, local.up)
         aside = np.linalg.norm(gap - up[:, None] * local.up, axis=1)
-        rim = ((feet == 0.0) | (feet == 1.0)).any(axis=1)
+        rim = (((feet == 0.0) | (feet == 1.0)) & ~near.closed).any(axis=1)
         beyond = rim & (aside > 1e-9 * other.size)
         values = np.where(beyond | ~other.inside(*feet.T), np.nan, up)
         return values.reshape(points.shape[:-1]), _ONE, None
 
     return parts
+
+
+class Feet:
+    """The nearest points of a surface: from the nearest of a grid, by Gauss and Newton, across its own seams too."""
+
+    def __init__(self, surface: Surface, density: int = 65) -> None:
+        """Sort the grid."""
+        from scipy import spatial
+
+        self.surface = surface
+        t = np.linspace(0.0, 1.0, density)
+        cloud = surface(t[:, None], t[None, :])
+        rims = (cloud[0] - cloud[-1], cloud[:, 0] - cloud[:, -1])
+        self.closed = np.array([np.abs(rim).max() <= 1e-9 * surface.size for rim in rims])
+        self._grid = np.stack(np.meshgrid(t, t, indexing="ij"), axis=-1).reshape(-1, 2)
+        self._tree: Callable[..., tuple[FloatArray, FloatArray]] = spatial.cKDTree(cloud.reshape(-1, 3)).query
+
+    def __call__(self, points: FloatArray) -> FloatArray:
+        """Return parameters (n, 2) of the feet of points (n, 3)."""
+        at = self._grid[np.asarray(self._tree(points)[1], dtype=np.intp)]
+        for _ in range(30):
+            with np.errstate(divide="ignore", invalid="ignore"):
+                local = Local.at(self.surface, *at.T, order=1)
+                step = np.nan_to_num(local.lowered(points - local.point))
+            moved = at + step
+            moved = np.where(self.closed & ((moved < 0.0) | (moved > 1.0)), moved % 1.0, np.clip(moved, 0.0, 1.0))
+            if np.abs(step).max(initial=0.0) <= 1e-14:
+                return moved
+            at = moved
+        return at
 
 
 def normal_curvature(surface: Surface, uv: FloatArray) -> FloatArray:

@@ -5,8 +5,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from quintrig.geometry.surface import Surface
-from quintrig.interrogation.flows import Flow
 from quintrig.interrogation.local import Local
 from quintrig.interrogation.polyline import Path
 from quintrig.interrogation.trace import Seed, Tracer, Trail
@@ -34,12 +32,10 @@ def both_ways(tracer: Tracer, places: Sequence[tuple[int, FloatArray, int]], len
 
 
 def heading(tracer: Tracer, patch: int, uv: FloatArray, mode: int) -> FloatArray:
-    """Return the direction in space (3,) of a family, in one sense or the other; 0 where it has none."""
-    flow: Flow = tracer.flow
-    surface: Surface = tracer.surfaces[patch]
-    aim = Local.at(surface, *uv, order=1).su[None, :] + 1e-3
-    found = flow.direction(surface, uv[None, :], aim, np.array([mode], dtype=np.intp))[0]
-    return found
+    """Return the direction in space (3,) of a family, in one sense or the other; NaN where it has none."""
+    local = Local.at(tracer.surfaces[patch], *uv, order=1)
+    slope = tracer.flow.slope(tracer.surfaces[patch], uv[None, :], np.ones((1, 2)), np.array([mode], dtype=np.intp))
+    return local.lifted(slope[0, :2])
 
 
 def _joined(ahead: Trail, back: Trail | None) -> Curve:

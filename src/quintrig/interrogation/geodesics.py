@@ -5,12 +5,14 @@ import numpy as np
 from quintrig.interrogation.flows import Geodesic
 from quintrig.interrogation.follow import Curve
 from quintrig.interrogation.local import Local
-from quintrig.interrogation.trace import Seed, Tracer
+from quintrig.interrogation.trace import RELATIVE, Seed, Tracer
 from quintrig.support.arrays import FloatArray
 
 _FAN = 36  # directions tried first
 _TRIES = 4  # of which the nearest are refined
-_STEPS = 30
+_STEPS = 20
+_ROUGH = 1e-6  # relative error of the geodesics tried first
+_TURN = 1e-4  # degrees, by which it is told where a geodesic moves when it is turned
 _MET = 1e-9  # of the size: how near the second point is met
 _REACH = 3.0  # of the size: how long geodesics between two points may be
 
@@ -42,6 +44,7 @@ def between(
     frame = Local.at(tracer.surfaces[patch], *uv, order=1)
     straight = float(np.degrees(np.arctan2(*_in_frame(frame, aim - frame.point)[::-1])))
     angles = straight + np.arange(_FAN) * (360.0 / _FAN)
+    tracer.relative = _ROUGH
     trails = tracer.trace([Seed(patch, uv, tangent(tracer, patch, uv, angle)) for angle in angles], reach)
     tries: list[tuple[float, float, float]] = []
     for angle, trail in zip(angles.tolist(), trails, strict=True):
@@ -55,12 +58,8 @@ def between(
         nearest = int(apart.argmin())
         if s[nearest] > 0.0:
             tries.append((float(apart[nearest] / s[nearest]), float(angle), float(s[nearest])))
-    best: tuple[float, Curve] | None = None
-    for _, angle, s in sorted(tries)[:_TRIES]:
-        found = _shot(tracer, start, aim, angle, s)
-        if found is not None and (best is None or found[0] < best[0]):
-            best = found
-    return None if best is None else best[1]
+    tracer.relative = RELATIVE
+    return _shots(tracer, start, aim, [(angle, s) for _, angle, s in sorted(tries)[:_TRIES]])
 
 
 def _in_frame(frame: Local, vector: FloatArray) -> tuple[float, float]:
@@ -68,32 +67,40 @@ def _in_frame(frame: Local, vector: FloatArray) -> tuple[float, float]:
     return float(vector @ e1), float(vector @ np.cross(frame.up, e1))
 
 
-def _shot(
-    tracer: Tracer, start: tuple[int, FloatArray], aim: FloatArray, angle: float, s: float
-) -> tuple[float, Curve] | None:
+def _shots(
+    tracer: Tracer, start: tuple[int, FloatArray], aim: FloatArray, tries: list[tuple[float, float]]
+) -> Curve | None:
+    """Return the shortest of the geodesics that Newton's iteration makes of (angle in degrees, length)."""
     patch, uv = start
-    size = tracer.size
+    met: list[tuple[float, Curve]] = []
     for _ in range(_STEPS):
-        turn = 1e-4
-        seeds = [Seed(patch, uv, tangent(tracer, patch, uv, a)) for a in (angle, angle + turn)]
-        one, other = tracer.trace(seeds, [s, s])
-        if not one.paths or not other.paths:
-            return None
-        point, heading = _end(tracer, one.paths[-1].patch, one.paths[-1].uv)
-        beside, _ = _end(tracer, other.paths[-1].patch, other.paths[-1].uv)
-        gap = aim - point
-        if np.linalg.norm(gap) <= _MET * size:
-            return s, Curve(tuple(one.paths), tuple(one.modes), False, "reaches the second point")
-        along = float(gap @ heading)
-        side = (beside - point) / turn
-        side -= (side @ heading) * heading
-        square = float(side @ side)
-        if not square > 0.0:
-            return None
-        across = float(gap @ side) / square
-        angle += float(np.clip(across, -10.0, 10.0))
-        s = max(s + float(np.clip(along, -0.3 * s, 0.3 * s)), 1e-6 * size)
-    return None
+        ends = [(angle + turn, s) for angle, s in tries for turn in (0.0, _TURN)]
+        seeds = [Seed(patch, uv, tangent(tracer, patch, uv, angle)) for angle, _ in ends]
+        trails = tracer.trace(seeds, [s for _, s in ends])
+        following: list[tuple[float, float]] = []
+        for (angle, s), one, other in zip(tries, trails[::2], trails[1::2], strict=True):
+            if not one.paths or not other.paths:
+                continue
+            point, heading = _end(tracer, one.paths[-1].patch, one.paths[-1].uv)
+            beside, _ = _end(tracer, other.paths[-1].patch, other.paths[-1].uv)
+            gap = aim - point
+            if np.linalg.norm(gap) <= _MET * tracer.size:
+                met.append((s, Curve(tuple(one.paths), tuple(one.modes), False, "reaches the second point")))
+                continue
+            side = (beside - point) / _TURN
+            side -= (side @ heading) * heading
+            square = float(side @ side)
+            if square > 0.0:
+                turned = float(np.clip(float(gap @ side) / square, -10.0, 10.0))
+                longer = s + float(np.clip(float(gap @ heading), -0.3 * s, 0.3 * s))
+                if not any(abs(angle + turned - a) < 1e-3 and abs(longer - b) < 1e-3 * b for a, b in following):
+                    following.append((angle + turned, longer))
+        # Whoever is far longer than one that has arrived need not arrive.
+        best = min((s for s, _ in met), default=np.inf)
+        tries = [(angle, s) for angle, s in following if s < 1.5 * best]
+        if not tries:
+            break
+    return min(met, key=lambda one: one[0])[1] if met else None
 
 
 def _end(tracer: Tracer, patch: int, uv: FloatArray) -> tuple[FloatArray, FloatArray]:

@@ -6,6 +6,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
+from quintrig.analysis.sample import analyse
 from quintrig.geometry.surface import Surface
 from quintrig.support.arrays import FloatArray
 
@@ -16,66 +17,27 @@ def dot(a: FloatArray, b: FloatArray) -> FloatArray:
 
 
 @dataclass(frozen=True, eq=False)
-class Local:
-    """Partial derivatives (order + 1, order + 1, ..., 3) of a surface at parameters, and what follows from them.
+class Forms:
+    """First and second fundamental form (...) of a surface, and what follows from them.
 
-    The frame is e1 along S_u and e2 = n0 × e1 with n0 along S_u × S_v; ``sign`` turns the normal of all curvatures.
-    Singular points give NaN.
+    The frame is e1 along S_u and e2 = n0 × e1 with n0 along S_u × S_v. Singular points give NaN.
     """
 
-    partials: FloatArray
-    sign: float
+    first: tuple[FloatArray, FloatArray, FloatArray]
+    second: tuple[FloatArray, FloatArray, FloatArray]
 
     @staticmethod
-    def at(surface: Surface, u: ArrayLike, v: ArrayLike, order: int = 2) -> "Local":
-        """Return the surface at parameters u and v that broadcast."""
-        return Local(surface.partials(u, v, order), surface.sign)
-
-    @property
-    def point(self) -> FloatArray:
-        """Points (..., 3), length¹."""
-        return self.partials[0, 0]
-
-    @property
-    def su(self) -> FloatArray:
-        """S_u (..., 3)."""
-        return self.partials[1, 0]
-
-    @property
-    def sv(self) -> FloatArray:
-        """S_v (..., 3)."""
-        return self.partials[0, 1]
-
-    @cached_property
-    def first(self) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """E, F, G (...), length²."""
-        return dot(self.su, self.su), dot(self.su, self.sv), dot(self.sv, self.sv)
-
-    @cached_property
-    def _across(self) -> FloatArray:
-        return np.cross(self.su, self.sv)
+    def of(surface: Surface, u: FloatArray, v: FloatArray) -> "Forms":
+        """Return the forms by the compiled analysis."""
+        s = analyse(surface, u, v, ("E", "F", "G", "L", "M", "N"), threads=1)
+        return Forms((s["E"], s["F"], s["G"]), (s["L"], s["M"], s["N"]))
 
     @cached_property
     def area(self) -> FloatArray:
         """W = |S_u × S_v| (...), length²; NaN where it vanishes."""
-        size = np.sqrt(dot(self._across, self._across))
-        return np.where(size > 0.0, size, np.nan)
-
-    @cached_property
-    def up(self) -> FloatArray:
-        """The unit vector n0 along S_u × S_v (..., 3)."""
-        return self._across / self.area[..., None]
-
-    @property
-    def normal(self) -> FloatArray:
-        """The surface's unit normal (..., 3)."""
-        return self.sign * self.up
-
-    @cached_property
-    def second(self) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """L, M, N (...), length¹."""
-        p, n = self.partials, self.normal
-        return dot(p[2, 0], n), dot(p[1, 1], n), dot(p[0, 2], n)
+        e, f, g = self.first
+        square = e * g - f * f
+        return np.sqrt(np.where(square > 0.0, square, np.nan))
 
     @cached_property
     def frame(self) -> tuple[FloatArray, FloatArray, FloatArray]:
@@ -128,6 +90,53 @@ class Local:
         p, q, r = self.frame
         c, s = np.cos(angle), np.sin(angle)
         return np.stack([c * p + s * q, s * r], axis=-1)
+
+
+@dataclass(frozen=True, eq=False)
+class Local(Forms):
+    """Forms with the partial derivatives (order + 1, order + 1, ..., 3) that they are made of.
+
+    ``sign`` turns the normal of all curvatures.
+    """
+
+    partials: FloatArray
+    sign: float
+    up: FloatArray
+
+    @staticmethod
+    def at(surface: Surface, u: ArrayLike, v: ArrayLike, order: int = 2) -> "Local":
+        """Return the surface at parameters u and v that broadcast; without second form where ``order`` is 1."""
+        p = surface.partials(u, v, order)
+        su, sv = p[1, 0], p[0, 1]
+        across = np.cross(su, sv)
+        size = np.sqrt(dot(across, across))
+        up = across / np.where(size > 0.0, size, np.nan)[..., None]
+        n = surface.sign * up
+        nothing = np.full(size.shape, np.nan)
+        second = (dot(p[2, 0], n), dot(p[1, 1], n), dot(p[0, 2], n)) if order > 1 else (nothing, nothing, nothing)
+        found = Local((dot(su, su), dot(su, sv), dot(sv, sv)), second, p, surface.sign, up)
+        found.__dict__["area"] = np.where(size > 0.0, size, np.nan)  # with more digits than E G - F² has
+        return found
+
+    @property
+    def point(self) -> FloatArray:
+        """Points (..., 3), length¹."""
+        return self.partials[0, 0]
+
+    @property
+    def su(self) -> FloatArray:
+        """S_u (..., 3)."""
+        return self.partials[1, 0]
+
+    @property
+    def sv(self) -> FloatArray:
+        """S_v (..., 3)."""
+        return self.partials[0, 1]
+
+    @property
+    def normal(self) -> FloatArray:
+        """The surface's unit normal (..., 3)."""
+        return self.sign * self.up
 
     def lifted(self, step: FloatArray) -> FloatArray:
         """Return the vector in space (..., 3) of (du, dv)."""

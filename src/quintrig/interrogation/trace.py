@@ -10,8 +10,10 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from quintrig.analysis.sample import analyse
 from quintrig.geometry.surface import Surface
 from quintrig.interrogation.flows import Flow
+from quintrig.interrogation.local import Local
 from quintrig.interrogation.polyline import Path
 from quintrig.interrogation.runge_kutta import Steps, dense_at
 from quintrig.interrogation.seams import Seams
@@ -56,7 +58,7 @@ class _Walk:
     trail: Trail
     patch: int
     state: FloatArray
-    towards: FloatArray
+    aim: FloatArray
     mode: int
     left: float
     home: FloatArray
@@ -74,6 +76,7 @@ class Tracer:
     def __init__(self, surfaces: Sequence[Surface], flow: Flow, chord: float, longest: float = np.inf) -> None:
         """Look at the seams once; no chord is longer than ``longest``."""
         self.surfaces, self.flow, self.chord, self.longest = surfaces, flow, chord, longest
+        self.relative = RELATIVE
         self.seams = Seams(surfaces)
         self.size = self.seams.size
 
@@ -82,12 +85,12 @@ class Tracer:
         lengths = [length] * len(seeds) if isinstance(length, float | int) else list(length)
         walks: list[_Walk] = []
         for seed, reach in zip(seeds, lengths, strict=True):
-            surface, one = self.surfaces[seed.patch], seed.uv[None, :]
-            mode, aim = np.array([seed.mode], dtype=np.intp), seed.towards[None, :]
-            state = self.flow.begin(surface, one, aim)
-            heading = self.flow.direction(surface, state, aim, mode)[0]
-            walk = _Walk(Trail(), seed.patch, state[0], heading, seed.mode, float(reach), surface(*seed.uv), heading)
-            if not np.isfinite(heading).all() or self.flow.ended(surface, state)[0]:
+            surface = self.surfaces[seed.patch]
+            local = Local.at(surface, *seed.uv, order=1)
+            state, aim = self._begun(seed.patch, seed.uv, local.lowered(seed.towards), seed.mode)
+            heading = local.lifted(aim)
+            walk = _Walk(Trail(), seed.patch, state, aim, seed.mode, float(reach), local.point, heading)
+            if not np.isfinite(heading).all() or self.flow.ended(surface, state[None, :])[0]:
                 walk.running, walk.trail.ended = False, "begins where the field has no direction"
             walks.append(walk)
         for _ in range(_MOST_PIECES):
@@ -102,6 +105,12 @@ class Tracer:
                 walk.trail.ended = walk.trail.ended or "crosses more patches than are followed"
         return [walk.trail for walk in walks]
 
+    def _begun(self, patch: int, uv: FloatArray, aim: FloatArray, mode: int) -> tuple[FloatArray, FloatArray]:
+        """Return the state at parameters (2,), and du and dv by arc length in the sense of ``aim`` (2,)."""
+        surface, aims = self.surfaces[patch], aim[None, :]
+        state = self.flow.begin(surface, uv[None, :], aims)
+        return state[0], self.flow.slope(surface, state, aims, np.array([mode], dtype=np.intp))[0, :2]
+
     def _land(self, walk: _Walk) -> None:
         """Write down the path in the patch just crossed, and move the line on into the next."""
         if walk.steps:
@@ -111,28 +120,28 @@ class Tracer:
             walk.steps = []
         if not walk.running:
             return
-        surface, uv = self.surfaces[walk.patch], np.clip(walk.state[:2], 0.0, 1.0)
-        point = surface(*uv)
-        if self._is_home(walk, point, walk.towards):
+        uv = np.clip(walk.state[:2], 0.0, 1.0)
+        local = Local.at(self.surfaces[walk.patch], *uv, order=1)
+        towards = local.lifted(walk.aim)
+        towards = towards / np.linalg.norm(towards)
+        if self._is_home(walk, local.point, towards):
             walk.running, walk.trail.closed = False, True
             return
-        found = self.seams.enter(walk.patch, uv, walk.towards)
+        found = self.seams.enter(walk.patch, uv, towards)
         if found is None:
             walk.running, walk.trail.ended = False, "ends at an edge"
             return
         walk.patch, place = found
-        surface, aim = self.surfaces[walk.patch], walk.towards[None, :]
-        state = self.flow.begin(surface, place[None, :], aim)
+        local = Local.at(self.surfaces[walk.patch], *place, order=1)
         best = -2.0
         for mode in self.flow.modes:  # a neighbour's normal may point the other way
-            with np.errstate(invalid="ignore"):
-                vector = self.flow.direction(surface, state, aim, np.array([mode], dtype=np.intp))[0]
-            if np.isfinite(vector).all() and float(vector @ walk.towards) > best:
-                best, walk.mode, heading = float(vector @ walk.towards), mode, vector
-        if best == -2.0 or self.flow.ended(surface, state)[0]:
+            state, aim = self._begun(walk.patch, place, local.lowered(towards), mode)
+            cosine = float(local.lifted(aim) @ towards)
+            if np.isfinite(aim).all() and cosine > best:
+                best, walk.mode, walk.state, walk.aim = cosine, mode, state, aim
+        walk.exit = None
+        if best == -2.0 or self.flow.ended(self.surfaces[walk.patch], walk.state[None, :])[0]:
             walk.running, walk.trail.ended = False, "ends where the field has no direction"
-            return
-        walk.state, walk.towards, walk.exit = state[0], heading, None
 
     def _is_home(self, walk: _Walk, point: FloatArray, towards: FloatArray) -> bool:
         near = np.linalg.norm(point - walk.home) <= _MEETS * self.size
@@ -158,33 +167,32 @@ class Tracer:
 
     def _step(self, surface: Surface, walks: list[_Walk]) -> None:
         y = np.stack([walk.state for walk in walks])
-        aims = np.stack([walk.towards for walk in walks])
+        aims = np.stack([walk.aim for walk in walks])
         modes = np.array([walk.mode for walk in walks], dtype=np.intp)
         h = np.array([min(walk.step, walk.left, _LONGEST * self.size) for walk in walks])
 
         def slope(state: FloatArray, which: NDArray[np.intp]) -> FloatArray:
             return self.flow.slope(surface, state, aims[which], modes[which])
 
-        step = Steps(slope, np.arange(len(walks)), y, h, RELATIVE, 0.01 * RELATIVE)
+        step = Steps(slope, np.arange(len(walks)), y, h, self.relative, 0.01 * self.relative)
         outside = _outside(step.end)
-        exits = [_exit(y[k], step.stages[0][k], 1.5 * h[k]) if outside[k] else None for k in range(len(walks))]
         good = (step.error < 1.0) & ~outside
         factor = step.factor()
         dense = step.dense() if good.any() else np.empty((len(walks), 8, y.shape[1]))
+        good &= np.isfinite(dense).all(axis=(1, 2))
         ends = np.where(good[:, None], step.end, y)
-        headings = self.flow.direction(surface, ends, aims, modes)
-        stopped, points = self.flow.ended(surface, ends), surface(*np.clip(ends[:, :2], 0.0, 1.0).T)
+        stopped = self.flow.ended(surface, ends)
+        points = analyse(surface, *np.clip(ends[:, :2], 0.0, 1.0).T, ("point",), threads=1).point
         for k, walk in enumerate(walks):
-            if good[k] and not np.isfinite(dense[k]).all():
-                good[k], factor[k] = False, 0.3
-            if exits[k] is not None:
-                walk.exit = exits[k]
+            leaves = _exit(y[k], step.stages[0][k], 1.5 * h[k]) if outside[k] else None
+            if leaves is not None:
+                walk.exit = leaves
             elif not good[k]:
-                walk.step = h[k] * (min(0.5, factor[k]) if outside[k] else factor[k])
+                walk.step = h[k] * (min(0.5, factor[k]) if outside[k] else min(0.9, factor[k]))
                 if walk.step < _SHORTEST * self.size:
                     walk.running, walk.trail.ended = False, "ends where the field has no direction"
             else:
-                self._take(walk, surface, dense[k], h[k], points[k], headings[k], bool(stopped[k]))
+                self._take(walk, surface, dense[k], h[k], points[k], step.stages[12][k, :2], bool(stopped[k]))
                 walk.step = h[k] * factor[k]
 
     def _take(
@@ -194,7 +202,7 @@ class Tracer:
         dense: FloatArray,
         h: float,
         point: FloatArray,
-        heading: FloatArray,
+        aim: FloatArray,
         stopped: bool,
     ) -> None:
         if walk.gone > _AWAY * self.size and np.linalg.norm(point - walk.home) < 1.5 * h:
@@ -204,7 +212,7 @@ class Tracer:
                 walk.running, walk.trail.closed = False, True
                 return
         walk.steps.append(dense)
-        walk.state, walk.towards = dense_at(dense, np.array(1.0)), heading
+        walk.state, walk.aim = dense_at(dense, np.array(1.0)), aim
         walk.gone += h
         walk.left -= h
         if stopped:
@@ -233,7 +241,7 @@ class Tracer:
         rows = np.arange(len(walks))
         y = np.stack([walk.state for walk in walks])
         reach = ends - y[rows, axes]
-        aims = np.stack([walk.towards for walk in walks])
+        aims = np.stack([walk.aim for walk in walks])
         modes = np.array([walk.mode for walk in walks], dtype=np.intp)
 
         def slope(state: FloatArray, which: NDArray[np.intp]) -> FloatArray:
@@ -249,7 +257,7 @@ class Tracer:
             which = np.flatnonzero(open_)
             if not len(which):
                 break
-            step = Steps(slope, which, state[which], h[which], RELATIVE, 0.01 * RELATIVE)
+            step = Steps(slope, which, state[which], h[which], self.relative, 0.01 * self.relative)
             dense, factor = step.dense(), step.factor()
             for k, i in enumerate(which.tolist()):
                 if step.error[k] < 1.0 and np.isfinite(dense[k]).all():
@@ -260,11 +268,11 @@ class Tracer:
                     open_[i] = False
                 h[i] = min(h[i] * factor[k], 1.0 - x[i])
         state[rows, axes] = ends
-        headings = self.flow.direction(surface, state[:, :-1], aims, modes)
+        last = self.flow.slope(surface, state[:, :-1], aims, modes)[:, :2]
         for k, walk in enumerate(walks):
             walk.state, walk.gone = state[k, :-1], walk.gone + state[k, -1]
             walk.left -= state[k, -1]
-            walk.towards = headings[k] if np.isfinite(headings[k]).all() else walk.towards
+            walk.aim = last[k] if np.isfinite(last[k]).all() else walk.aim
             if walk.left <= 1e-9 * self.size:
                 walk.running, walk.trail.ended = False, "has the length asked for"
 

@@ -22,6 +22,7 @@ from quintrig.support.extras import need
 
 _BEFORE_8 = {
     "Array2_gp_Pnt": ("TColgp", "TColgp_Array2OfPnt"),
+    "Array1_gp_Pnt": ("TColgp", "TColgp_Array1OfPnt"),
     "Array2_double": ("TColStd", "TColStd_Array2OfReal"),
     "Array1_double": ("TColStd", "TColStd_Array1OfReal"),
     "Array1_int": ("TColStd", "TColStd_Array1OfInteger"),
