@@ -40,18 +40,13 @@ def umbilics(
     if as_json:
         session.emit(json.dumps(found.to_dict(), ensure_ascii=False))
         return
-    from rich.table import Table
-
-    unit = f" (1/{loaded.unit})" if loaded.unit else ""
-    if found.umbilics:
-        table = Table()
-        for heading in ("patch", "u", "v", "point", f"curvature{unit}", "index", "type"):
-            table.add_column(heading, no_wrap=heading != "patch")
-        for one in found.umbilics:
-            point = ", ".join(f"{x:.6g}" for x in one.point.tolist())
-            row = (printable(one.patch), f"{one.u:.8g}", f"{one.v:.8g}", point, f"{one.curvature:.6g}")
-            table.add_row(*row, f"{one.index:+g}", one.type)
-        session.output().print(table)
+    unit = f" 1/{loaded.unit}" if loaded.unit else ""
+    for one in found.umbilics:
+        point = ", ".join(f"{x:.6g}" for x in one.point.tolist())
+        session.emit(
+            f"{printable(one.patch)}: {one.type}, index {one.index:+g}, at (u, v) = ({one.u:.9g}, {one.v:.9g}), "
+            f"point ({point}), curvature {one.curvature:.6g}{unit}"
+        )
     ones = "1 isolated umbilic" if len(found) == 1 else f"{len(found)} isolated umbilics"
     known = "proved complete" if found.complete else "no proof that there are no others"
     session.emit(f"{ones}; {known}")

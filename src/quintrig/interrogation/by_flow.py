@@ -110,7 +110,7 @@ def _net(on: Subject, ask: Ask, flow: Flow, reach: float) -> list[Curve]:
     few(2.0 * on.size / spacing, "spacing", f"take at least {2.0 * on.size / MOST:.3g}")
     tracer = Tracer(on.surfaces, flow, on.chord, 0.25 * spacing)
     tracer.relative = _NET
-    net = Net(tracer, spacing, reach, MOST, on.progress)
+    net = Net(tracer, spacing, reach, MOST, on.tell)
     starts = [(k, uv) for k, surface in enumerate(on.surfaces) for uv in _starts(tracer, k) if surface.inside(*uv)]
     for start in starts:
         net.fill([start])

@@ -1,7 +1,7 @@
 """The kinds of lines that are level sets of a scalar, and parameter lines."""
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -95,7 +95,7 @@ def _curvature(on: Subject, key: str, other: str, power: int, name: str) -> Foun
             found.notes.append(f"{patch.name}: {name} = 0 on the whole patch, which is no line")
         else:
             kept.append(number)
-    part = Subject(tuple(on.patches[k] for k in kept), on.unit, on.size, on.low, on.high, on.progress, on.chord)
+    part = replace(on, patches=tuple(on.patches[k] for k in kept))
     return _levels(
         part, lambda s: fields.quantity_scalar(s, key), [_Level(0.0, f"{name} = 0", 0.0)], found, of_quantity(other)
     )

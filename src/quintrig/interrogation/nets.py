@@ -29,7 +29,7 @@ class Net:
     """The lines of both families that are there, and the points that they keep free."""
 
     def __init__(
-        self, tracer: Tracer, spacing: float, length: float, most: int, progress: Progress | None = None
+        self, tracer: Tracer, spacing: float, length: float, most: int, progress: Progress
     ) -> None:
         """Begin without lines."""
         self.tracer, self.spacing, self.length, self.most = tracer, spacing, length, most
@@ -50,8 +50,7 @@ class Net:
             places = self._crossing(grown) if grown else []
             places += self._beside(grown)
             grown = self._add(places)
-            if self.progress:
-                self.progress("lines", len(self.curves), self.most)
+            self.progress("lines", len(self.curves), self.most)
             if not grown or len(self.curves) >= self.most:
                 break
         return self.curves

@@ -1,6 +1,7 @@
 """What lines are looked for on: the patches, their size, and how fine."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
+from time import monotonic
 
 import numpy as np
 
@@ -10,6 +11,8 @@ from quintrig.model.model import Model
 from quintrig.model.patch import Patch
 from quintrig.support.arrays import FloatArray
 from quintrig.support.progress import Progress
+
+_QUIET = 2.0  # seconds
 
 
 @dataclass(frozen=True, eq=False)
@@ -23,6 +26,7 @@ class Subject:
     high: FloatArray
     progress: Progress | None = None
     chord: float = 0.0
+    since: float = field(default_factory=monotonic)
 
     @staticmethod
     def of(subject: Surface | Patch | Model, name: str | None, progress: Progress | None) -> "Subject":
@@ -67,8 +71,8 @@ class Subject:
         return raised if power > 0 else f"1/{raised}"
 
     def tell(self, what: str, done: int, total: int) -> None:
-        """Tell how far the work is."""
-        if self.progress:
+        """Tell how far the work is, once it takes longer than anyone would wonder."""
+        if self.progress and monotonic() - self.since > _QUIET:
             self.progress(what, done, total)
 
 
