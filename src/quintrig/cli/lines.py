@@ -27,7 +27,6 @@ _EPILOG = session.examples(
 )
 
 
-
 def register(app: typer.Typer) -> None:
     """Add the command."""
     session.add(app, lines, _EPILOG)
@@ -193,5 +192,3 @@ def _tell(found: "Lines") -> None:
         f"{found.kind}: {ones}, {found.length:.6g}{found.unit and ' ' + found.unit} in all; "
         f"chord error at most {found.chord_error:.2g}{found.unit and ' ' + found.unit}{more}"
     )
-
-

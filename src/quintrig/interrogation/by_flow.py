@@ -61,7 +61,9 @@ def _of_flow(
         raise ValueError(f"family: expected 1 or 2, found {ask.family}")
     if ask.start is not None:
         if ask.spacing is not None:
-            raise ValueError("spacing: expected a start, whose two lines are drawn, or the spacing of a net, found both")
+            raise ValueError(
+                "spacing: expected a start, whose two lines are drawn, or the spacing of a net, found both"
+            )
         at, patch = place(ask.start, "start"), on.number(ask.patch)
         _refuse_outside(on, patch, at)
         tracer = Tracer(on.surfaces, flow, on.chord)
@@ -81,7 +83,9 @@ def _only(on: Subject, name: str) -> Subject:
 def _reach(on: Subject, ask: Ask) -> float:
     reach = length(ask.length, "length", _LENGTH * on.size)
     if reach > _LONGEST * on.size:
-        raise ValueError(f"length: expected at most {_LONGEST:g} times the size, {_LONGEST * on.size:.6g}, found {reach:g}")
+        raise ValueError(
+            f"length: expected at most {_LONGEST:g} times the size, {_LONGEST * on.size:.6g}, found {reach:g}"
+        )
     return reach
 
 
@@ -102,7 +106,9 @@ def _refuse_no_direction(tracer: Tracer, patch: int, at: FloatArray) -> None:
     if isinstance(tracer.flow, Asymptotic) and not K < 0.0:
         raise ValueError(f"start: {name} has K = {K:.3g}, and asymptotic lines run only where K < 0; begin there")
     if tracer.flow.ended(surface, at[None, :])[0]:
-        raise ValueError(f"start: {name} is an umbilic, where directions have no sense; begin beside it, or ask for umbilics")
+        raise ValueError(
+            f"start: {name} is an umbilic, where directions have no sense; begin beside it, or ask for umbilics"
+        )
 
 
 def _net(on: Subject, ask: Ask, flow: Flow, reach: float) -> list[Curve]:
@@ -120,11 +126,11 @@ def _net(on: Subject, ask: Ask, flow: Flow, reach: float) -> list[Curve]:
 
 
 def _starts(tracer: Tracer, patch: int) -> list[FloatArray]:
-    """Return where a net begins on a patch: near its middle, then over all of it, where the flow has a direction."""
+    """Return where a net begins on a patch: off its middle, where umbilics like to be, then over all of it."""
     surface = tracer.surfaces[patch]
-    t = (np.arange(5) + 0.5) / 5.0 + 0.003
+    t = (np.arange(5) + 0.5) / 5.0 + 0.013
     grid = np.stack(np.meshgrid(t, t, indexing="ij"), axis=-1).reshape(-1, 2)
-    order = np.argsort(np.abs(grid - 0.5).max(axis=1), kind="stable")
+    order = np.argsort(np.abs(grid - 0.3).max(axis=1), kind="stable")
     with np.errstate(divide="ignore", invalid="ignore"):
         ended = tracer.flow.ended(surface, grid)
         local = Local.at(surface, *grid.T)
@@ -215,8 +221,5 @@ def _written(
         for path, mode in zip(curve.paths, curve.modes, strict=True):
             patch = on.patches[path.patch]
             for part in path.cut(patch.surface):
-                found.lines.append(
-                    line_of(patch.surface, patch.name, part, labels[mode], values[mode], chain=chain)
-                )
+                found.lines.append(line_of(patch.surface, patch.name, part, labels[mode], values[mode], chain=chain))
     return found
-

@@ -62,12 +62,16 @@ KINDS: dict[str, Kind] = {
 }
 """All kinds by name."""
 
-ALIASES = {"draft-angle": "draft", "geodesics": "geodesic", "sections": "section", "contours": "contour", "crests": "ridges"}
+ALIASES = {
+    "draft-angle": "draft",
+    "geodesics": "geodesic",
+    "sections": "section",
+    "contours": "contour",
+    "crests": "ridges",
+}
 
 
-def lines(
-    subject: Surface | Patch | Model, kind: str, *, progress: Progress | None = None, **options: Any
-) -> Lines:
+def lines(subject: Surface | Patch | Model, kind: str, *, progress: Progress | None = None, **options: Any) -> Lines:
     """Return lines of one kind on a surface, or on all patches of a model, across their seams.
 
     ``kind`` is curvature, asymptotic, parabolic, mean-zero, ridges, isophotes, reflection, highlight, silhouette,
@@ -97,4 +101,3 @@ def lines(
 def chained_all(found: by_level.Found, on: Subject) -> Sequence[Any]:
     """Return the lines with their chain numbers: as they were traced, or by ends that meet."""
     return tuple(found.lines) if found.traced else chained(found.lines, _SEAM * on.size)
-

@@ -2,19 +2,18 @@
 
 import numpy as np
 
-from quintrig.interrogation.flows import Geodesic
 from quintrig.interrogation.follow import Curve
 from quintrig.interrogation.local import Local
 from quintrig.interrogation.trace import RELATIVE, Seed, Tracer
 from quintrig.support.arrays import FloatArray
 
-_FAN = 36  # directions tried first
+_FAN = 24  # directions tried first
 _TRIES = 4  # of which the nearest are refined
 _STEPS = 20
 _ROUGH = 1e-6  # relative error of the geodesics tried first
 _TURN = 1e-4  # degrees, by which it is told where a geodesic moves when it is turned
 _MET = 1e-9  # of the size: how near the second point is met
-_REACH = 3.0  # of the size: how long geodesics between two points may be
+_REACH = 1.5, 4.0  # of the size: how long geodesics between two points may be, tried in turn
 
 
 def tangent(tracer: Tracer, patch: int, uv: FloatArray, degrees: float) -> FloatArray:
@@ -37,15 +36,23 @@ def between(
     A fan of geodesics leaves the first point; those that pass nearest to the second are turned onto it by Newton's
     iteration on angle and length.
     """
-    patch, uv = start
     aim = tracer.surfaces[end[0]](*end[1])
-    size = tracer.size
-    reach = min(longest or np.inf, _REACH * size)
+    for reach in _REACH if longest is None else (longest / tracer.size,):
+        found = _shots(tracer, start, aim, _fan(tracer, start, aim, reach * tracer.size))
+        if found is not None:
+            return found
+    return None
+
+
+def _fan(tracer: Tracer, start: tuple[int, FloatArray], aim: FloatArray, reach: float) -> list[tuple[float, float]]:
+    """Return (angle in degrees, length) of the geodesics from a point that pass nearest to another."""
+    patch, uv = start
     frame = Local.at(tracer.surfaces[patch], *uv, order=1)
     straight = float(np.degrees(np.arctan2(*_in_frame(frame, aim - frame.point)[::-1])))
     angles = straight + np.arange(_FAN) * (360.0 / _FAN)
     tracer.relative = _ROUGH
     trails = tracer.trace([Seed(patch, uv, tangent(tracer, patch, uv, angle)) for angle in angles], reach)
+    tracer.relative = RELATIVE
     tries: list[tuple[float, float, float]] = []
     for angle, trail in zip(angles.tolist(), trails, strict=True):
         points = [tracer.surfaces[path.patch](*path.uv.T) for path in trail.paths]
@@ -54,12 +61,10 @@ def between(
         cloud = np.concatenate(points)
         s = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(cloud, axis=0), axis=1))])
         apart = np.linalg.norm(cloud - aim, axis=1)
-        # By the angle under which the miss is seen, so that far points have their fair chance.
         nearest = int(apart.argmin())
-        if s[nearest] > 0.0:
+        if s[nearest] > 0.0:  # by the angle under which the miss is seen, so that far points have their fair chance
             tries.append((float(apart[nearest] / s[nearest]), float(angle), float(s[nearest])))
-    tracer.relative = RELATIVE
-    return _shots(tracer, start, aim, [(angle, s) for _, angle, s in sorted(tries)[:_TRIES]])
+    return [(angle, s) for _, angle, s in sorted(tries)[:_TRIES]]
 
 
 def _in_frame(frame: Local, vector: FloatArray) -> tuple[float, float]:

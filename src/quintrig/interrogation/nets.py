@@ -28,9 +28,7 @@ Place = tuple[int, FloatArray, int]
 class Net:
     """The lines of both families that are there, and the points that they keep free."""
 
-    def __init__(
-        self, tracer: Tracer, spacing: float, length: float, most: int, progress: Progress
-    ) -> None:
+    def __init__(self, tracer: Tracer, spacing: float, length: float, most: int, progress: Progress) -> None:
         """Begin without lines."""
         self.tracer, self.spacing, self.length, self.most = tracer, spacing, length, most
         self.progress = progress
@@ -155,7 +153,9 @@ class Net:
     def _free(self, mode: int, point: FloatArray) -> bool:
         return bool(self._all_free(mode, point[None, :])[0])
 
-    def _all_free(self, mode: int, points: FloatArray, share: float = _APART) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
+    def _all_free(
+        self, mode: int, points: FloatArray, share: float = _APART
+    ) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
         from scipy import spatial
 
         clouds = self._clouds.get(mode)

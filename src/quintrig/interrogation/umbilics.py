@@ -28,6 +28,7 @@ _FLAT = 1e-7  # of 1 / size: a curvature this small is that of a planar point
 _POLE = 1e-6  # of the square of the size: |S_u × S_v| at which a point counts as a pole
 _ONE = 1e-6  # of the size: umbilics this near are one
 _FLAT_FORM = 1e-6  # of the square of the derivative: below it, an umbilic is not a simple one
+_WEAK = 1e-4  # of the typical curvature by the size: a change of curvature of which rounding may be a part
 _AROUND = 720
 _RIM = 1e-9  # of parameters or of the size: on the boundary
 _INSET = 1e-3  # from a pole, where the rotation around it is taken
@@ -184,7 +185,7 @@ def _of_patch(patch: Patch) -> Found:
             curvature = float(Local.at(surface, *line[len(line) // 2]).mean)
             regions.append(Region(name, "curve", curvature, line, points))
     others = [uv for uv in simple if not any(_near(surface, uv, region.points) for region in regions)]
-    ones = [_classified(patch, uv, others) for uv in sorted(others, key=lambda uv: (round(uv[0], 9), round(uv[1], 9)))]
+    ones = [_classified(patch, uv, others, typical) for uv in sorted(others, key=lambda uv: (round(uv[0], 9), round(uv[1], 9)))]
     told = _compared(patch, ones, regions)
     if not np.isfinite(local.spread[inside]).all():
         notes.append(f"{name}: has singular points, at which no umbilic is told")
@@ -318,15 +319,20 @@ def _curve(surface: Surface, uv: FloatArray, typical: float) -> FloatArray | Non
     return whole if len(whole) >= 6 else None
 
 
-def _classified(patch: Patch, uv: FloatArray, others: Sequence[FloatArray]) -> Umbilic:
+def _classified(patch: Patch, uv: FloatArray, others: Sequence[FloatArray], typical: float) -> Umbilic:
     surface = patch.surface
     local = Local.at(surface, *uv, order=3)
     a, b, c, d = (float(x) for x in local.cubic)
     flat_at = _FLAT / surface.size
     curvature = float(local.mean)
     determinant = a * c - c * c + b * d - b * b
-    simple = abs(determinant) > _FLAT_FORM * (a * a + 3.0 * b * b + 3.0 * c * c + d * d)
-    index = (-0.5 if determinant < 0.0 else 0.5) if simple else _rotation_about(surface, uv, others)
+    square = a * a + 3.0 * b * b + 3.0 * c * c + d * d
+    index = -0.5 if determinant < 0.0 else 0.5
+    simple = abs(determinant) > _FLAT_FORM * square
+    if not simple or np.sqrt(square) <= _WEAK * typical / surface.size:
+        turned = _rotation_about(surface, uv, others)
+        simple = simple and turned in (index, None)
+        index = index if simple or turned is None else turned
     roots = _roots(b, 2.0 * c - a, d - 2.0 * b, -c)
     kind: Type = "other"
     if abs(curvature) <= flat_at:
@@ -366,8 +372,8 @@ def _roots(p: float, q: float, r: float, s: float) -> list[float]:
     return sorted(angle % np.pi for angle in found)
 
 
-def _rotation_about(surface: Surface, uv: FloatArray, others: Sequence[FloatArray]) -> float:
-    """Return the index by turning once around an umbilic, at a distance where it is alone."""
+def _rotation_about(surface: Surface, uv: FloatArray, others: Sequence[FloatArray]) -> float | None:
+    """Return the index by turning once around an umbilic, at a distance where it is alone; None on an edge."""
     alone = [float(np.abs(uv - other).max()) for other in others if other is not uv]
     reach = min(1e-2, *(0.3 * apart for apart in alone)) if alone else 1e-2
     reach = min([reach, *(x for x in (*uv, *(1.0 - uv)) if x > 1e-9)])
@@ -375,13 +381,15 @@ def _rotation_about(surface: Surface, uv: FloatArray, others: Sequence[FloatArra
     ring = uv + reach * np.stack([np.cos(angle), np.sin(angle)], axis=1)
     inside = ((ring >= 0.0) & (ring <= 1.0)).all(axis=1)
     if not inside.all():
-        return float("nan")
-    return _rotation(surface, ring)
+        return None
+    found = _rotation(surface, ring)
+    return found if np.isfinite(found) else None
 
 
 def _rotation(surface: Surface, ring: FloatArray) -> float:
     """Return the turns of the principal directions, against e1, along a closed line (n, 2) of parameters."""
-    return round(2.0 * _turned(surface, ring)) / 2.0
+    turned = _turned(surface, ring)
+    return round(2.0 * turned) / 2.0 if np.isfinite(turned) else turned
 
 
 def _turned(surface: Surface, line: FloatArray) -> float:
@@ -431,8 +439,10 @@ def _along_sides(surface: Surface) -> tuple[float, list[tuple[int, float]]]:
     ends = {(axis, end): _side(axis, end, t) for axis in (0, 1) for end in (0.0, 1.0)}
     points = {key: surface(*line.T) for key, line in ends.items()}
     poles = {key: bool(np.linalg.norm(np.ptp(p, axis=0)) <= _RIM * surface.size) for key, p in points.items()}
-    low, high = (np.array([_INSET if poles[axis, 0.0] else 0.0 for axis in (0, 1)]),
-                 np.array([1.0 - _INSET if poles[axis, 1.0] else 1.0 for axis in (0, 1)]))
+    low, high = (
+        np.array([_INSET if poles[axis, 0.0] else 0.0 for axis in (0, 1)]),
+        np.array([1.0 - _INSET if poles[axis, 1.0] else 1.0 for axis in (0, 1)]),
+    )
     for (axis, end), line in ends.items():
         if np.abs(points[axis, 0.0] - points[axis, 1.0]).max() <= _RIM * surface.size and not poles[axis, end]:
             continue
