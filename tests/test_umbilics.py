@@ -113,6 +113,8 @@ def test_the_command_prints_the_same(tmp_path):
 
 
 def test_lines_leave_an_umbilic_as_its_directions_say():
-    found = quintrig.lines(height(lambda x, y: (x * x + y * y) / 2 + (x**3 - 3 * x * y * y) / 6), "curvature", umbilics=True)
+    found = quintrig.lines(
+        height(lambda x, y: (x * x + y * y) / 2 + (x**3 - 3 * x * y * y) / 6), "curvature", umbilics=True
+    )
     starts = [line for line in found if min(np.linalg.norm(line.points[[0, -1]], axis=1)) < 0.01]
     assert len(starts) == 6  # three to each side

@@ -90,10 +90,10 @@ def lines(
     Lengths are in the model's unit, angles in degrees.
 
     What each kind takes: curvature and asymptotic --spacing, --from, --family, --length (curvature --umbilics too);
-    ridges --family; isophotes and draft --direction, --angles; silhouette --direction or --eye; reflection and highlight
-    --light, --along, --spacing, --count (reflection --eye or --direction too); contour -q, --levels or --count; section
-    --normal, --through, --spacing, --count, or --with; geodesic --from, and --direction and --length or --to; iso --u,
-    --v or --count.
+    ridges --family; isophotes and draft --direction, --angles; silhouette --direction or --eye; reflection and
+    highlight --light, --along, --spacing, --count (reflection --eye or --direction too); contour -q, --levels or
+    --count; section --normal, --through, --spacing, --count, or --with; geodesic --from, and --direction and --length
+    or --to; iso --u, --v or --count.
     """
     from quintrig.interrogation.find import lines as find
 

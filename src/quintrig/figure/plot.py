@@ -78,10 +78,11 @@ def plot(
     ``quantity`` is a key or symbol of the table, several for pictures side by side, "surface" for the plain one; for
     curves "curve", "comb", "hull" or "curvature". ``view`` is iso, side, back, top, all, flat (a map over u and v) or
     (azimuth, elevation) in degrees. ``net`` draws the control net, ``lines`` so many parameter lines each way, or lines
-    of a kind such as "curvature", or ``Lines`` that were found before. ``at`` marks parameters. ``unit`` and ``heading`` are those of a model where it is one. ``style`` is "standard", "journal"
-    or a ``Style``, of which title, caption, limits, percentiles, colours, levels, font and size (points) change what
-    they name. ``width`` is in inches, or "84 mm", "column", "page". With ``axes`` of matplotlib the picture alone is
-    drawn there. ``save`` writes a .png, .svg, .pdf or .eps. Raises ValueError for what cannot be drawn.
+    of a kind such as "curvature", or ``Lines`` that were found before. ``at`` marks parameters. ``unit`` and
+    ``heading`` are those of a model where it is one. ``style`` is "standard", "journal" or a ``Style``, of which title,
+    caption, limits, percentiles, colours, levels, font and size (points) change what they name. ``width`` is in inches,
+    or "84 mm", "column", "page". With ``axes`` of matplotlib the picture alone is drawn there. ``save`` writes a .png,
+    .svg, .pdf or .eps. Raises ValueError for what cannot be drawn.
     """
     chosen = changed(
         style_named(style) if isinstance(style, str) else style,

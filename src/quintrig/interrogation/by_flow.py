@@ -128,8 +128,8 @@ def _net(on: Subject, ask: Ask, flow: Flow, reach: float) -> list[Curve]:
 def _starts(tracer: Tracer, patch: int) -> list[FloatArray]:
     """Return where a net begins on a patch: off its middle, where umbilics like to be, then over all of it."""
     surface = tracer.surfaces[patch]
-    t = (np.arange(5) + 0.5) / 5.0 + 0.013
-    grid = np.stack(np.meshgrid(t, t, indexing="ij"), axis=-1).reshape(-1, 2)
+    t = np.linspace(0.113, 0.913, 5)
+    grid: FloatArray = np.stack(np.meshgrid(t, t, indexing="ij"), axis=-1).reshape(-1, 2)
     order = np.argsort(np.abs(grid - 0.3).max(axis=1), kind="stable")
     with np.errstate(divide="ignore", invalid="ignore"):
         ended = tracer.flow.ended(surface, grid)

@@ -78,7 +78,7 @@ def _as_lines(
 
 def of_quantity(key: str) -> Values:
     """Return the values of a quantity of the table along a line."""
-    return lambda surface, uv: analyse(surface, *uv.T, (key,), threads=1)[key]
+    return lambda surface, uv: analyse(surface, uv[:, 0], uv[:, 1], (key,), threads=1)[key]
 
 
 def _curvature(on: Subject, key: str, other: str, power: int, name: str) -> Found:
@@ -267,10 +267,7 @@ def section(on: Subject, ask: Ask) -> Found:
     normal = vector(ask.normal, "normal")
     centre = 0.5 * (on.low + on.high)
     first = float((centre if ask.through is None else frozen(ask.through, "through", (3,))) @ normal)
-    if ask.spacing is None and ask.count is None:
-        places = [first]
-    else:
-        places = _stack(on, ask, normal, first)
+    places = [first] if ask.spacing is None and ask.count is None else _stack(on, ask, normal, first)
     wanted = [_Level(x, f"plane at {x:.6g}{' ' + on.unit if on.unit else ''}", x) for x in places]
     return _levels(on, lambda s: fields.plane_scalar(s, normal), wanted, _bent(on), fields.normal_curvature)
 
@@ -283,7 +280,7 @@ def _stack(on: Subject, ask: Ask, normal: FloatArray, first: float) -> list[floa
     if ask.spacing is None:
         count = whole(_COUNT if ask.count is None else ask.count, "count", 1)
         few(count, "count", "ask for fewer")
-        return np.linspace(low, high, count + 2)[1:-1].tolist()
+        return [float(x) for x in np.linspace(low, high, count + 2)[1:-1]]
     spacing = length(ask.spacing, "spacing", 1.0)
     if ask.count is not None:
         count = whole(ask.count, "count", 1)
@@ -291,7 +288,7 @@ def _stack(on: Subject, ask: Ask, normal: FloatArray, first: float) -> list[floa
         return (first + spacing * np.arange(count)).tolist()
     few((high - low) / spacing, "spacing", "take a larger one")
     below, above = np.ceil((low - first) / spacing), np.floor((high - first) / spacing)
-    return (first + spacing * np.arange(below, above + 1.0)).tolist()
+    return [float(first + spacing * k) for k in range(int(below), int(above) + 1)]
 
 
 def _by_surface(on: Subject, ask: Ask) -> Found:

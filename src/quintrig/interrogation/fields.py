@@ -1,6 +1,7 @@
 """The scalars whose level sets are lines on a surface."""
 
 from collections.abc import Callable
+from typing import Any, cast
 
 import numpy as np
 
@@ -62,8 +63,9 @@ def lights_scalar(
 ) -> Scalar:
     """Return f and g of parallel lights: f = level g where the ray meets the light moved by ``level`` sideways.
 
-    The lights run along the unit vector ``along`` through ``light`` (3,), and are moved along ``across``. The ray is the normal (highlight lines; Beier and Chen 1994, eq. 3), or
-    with an ``eye``, which gives unit vectors from points towards it, what is reflected (reflection lines; Klass 1980).
+    The lights run along the unit vector ``along`` through ``light`` (3,), and are moved along ``across``. The ray is
+    the normal (highlight lines; Beier and Chen 1994, eq. 3), or with an ``eye``, which gives unit vectors from points
+    towards it, what is reflected (reflection lines; Klass 1980).
     """
 
     def parts(u: FloatArray, v: FloatArray) -> Parts:
@@ -81,12 +83,12 @@ def lights_scalar(
 
 def sideways(centre: FloatArray, extent: float, light: FloatArray, along: FloatArray) -> FloatArray:
     """Return the unit vector (3,) in which lights are moved: across them, and across the way to the model's centre."""
-    across = np.cross(along, centre - light)
+    across: FloatArray = np.asarray(np.cross(along, centre - light))
     size = float(np.linalg.norm(across))
     if not size > 1e-12 * (extent + float(np.linalg.norm(light))):
-        across = np.cross(along, np.eye(3)[int(np.abs(along).argmin())])
+        across = np.cross(along, np.asarray(np.eye(3)[int(np.abs(along).argmin())], dtype=np.float64))
         size = float(np.linalg.norm(across))
-    return across / size
+    return np.asarray(across / size, dtype=np.float64)
 
 
 def ridge_scalar(surface: Surface, family: int) -> Scalar:
@@ -103,7 +105,6 @@ def ridge_scalar(surface: Surface, family: int) -> Scalar:
 
 def other_scalar(surface: Surface, other: Surface) -> Scalar:
     """Return the distance (length¹) to another surface, with a sign by its side; NaN where its foot is on an edge."""
-
     near = Feet(other)
 
     def parts(u: FloatArray, v: FloatArray) -> Parts:
@@ -136,11 +137,11 @@ class Feet:
         rims = (cloud[0] - cloud[-1], cloud[:, 0] - cloud[:, -1])
         self.closed = np.array([np.abs(rim).max() <= 1e-9 * surface.size for rim in rims])
         self._grid = np.stack(np.meshgrid(t, t, indexing="ij"), axis=-1).reshape(-1, 2)
-        self._tree: Callable[..., tuple[FloatArray, FloatArray]] = spatial.cKDTree(cloud.reshape(-1, 3)).query
+        self._tree: Any = cast(Any, spatial).KDTree(cloud.reshape(-1, 3))
 
     def __call__(self, points: FloatArray) -> FloatArray:
         """Return parameters (n, 2) of the feet of points (n, 3)."""
-        at = self._grid[np.asarray(self._tree(points)[1], dtype=np.intp)]
+        at = self._grid[np.asarray(self._tree.query(points)[1], dtype=np.intp)]
         for _ in range(30):
             with np.errstate(divide="ignore", invalid="ignore"):
                 local = Local.at(self.surface, *at.T, order=1)
@@ -158,6 +159,6 @@ def normal_curvature(surface: Surface, uv: FloatArray) -> FloatArray:
     step = np.gradient(uv, axis=0)
     with np.errstate(divide="ignore", invalid="ignore"):
         local = Local.at(surface, *uv.T)
-        (e, f, g), (l, m, n) = local.first, local.second
+        (e, f, g), (ll, m, n) = local.first, local.second
         du, dv = step.T
-        return (l * du * du + 2.0 * m * du * dv + n * dv * dv) / (e * du * du + 2.0 * f * du * dv + g * dv * dv)
+        return (ll * du * du + 2.0 * m * du * dv + n * dv * dv) / (e * du * du + 2.0 * f * du * dv + g * dv * dv)

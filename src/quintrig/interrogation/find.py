@@ -1,13 +1,13 @@
 """``quintrig.lines``: every kind of line on a surface or a model by its name."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
 from quintrig.geometry.surface import Surface
 from quintrig.interrogation import by_flow, by_level
 from quintrig.interrogation.ask import Ask, length, refuse_others
-from quintrig.interrogation.line import Lines
+from quintrig.interrogation.line import Line, Lines
 from quintrig.interrogation.polyline import chained
 from quintrig.interrogation.subject import Subject
 from quintrig.model.model import Model
@@ -94,10 +94,10 @@ def lines(subject: Surface | Patch | Model, kind: str, *, progress: Progress | N
     on = on.within(length(ask.tolerance, "tolerance", _CHORD * on.size))
     found = KINDS[name].find(on, ask)
     return Lines(
-        name, chained_all(found, on), found.quantity, found.unit, on.unit, on.chord, tuple(dict.fromkeys(found.notes))
+        name, _chained(found, on), found.quantity, found.unit, on.unit, on.chord, tuple(dict.fromkeys(found.notes))
     )
 
 
-def chained_all(found: by_level.Found, on: Subject) -> Sequence[Any]:
+def _chained(found: by_level.Found, on: Subject) -> tuple[Line, ...]:
     """Return the lines with their chain numbers: as they were traced, or by ends that meet."""
     return tuple(found.lines) if found.traced else chained(found.lines, _SEAM * on.size)

@@ -15,12 +15,12 @@ _UMBILIC = 1e-6  # of C and 1 / size: a spread of κ1 and κ2 below which direct
 
 
 class Flow(Protocol):
-    """A field to follow: states (k, d) begin with u and v, and ``modes`` say which of its families there are.
+    """A field to follow: states (k, d) begin with u and v; ``aim`` (k, 2) are du and dv of the sense to take."""
 
-    ``aim`` (k, 2) are du and dv of the sense to take.
-    """
-
-    modes: tuple[int, ...]
+    @property
+    def modes(self) -> tuple[int, ...]:
+        """The families there are."""
+        ...
 
     def begin(self, surface: Surface, uv: FloatArray, aim: FloatArray) -> FloatArray:
         """Return states at parameters (k, 2) that head along ``aim``."""

@@ -1,5 +1,7 @@
 """Geodesics: from a point in a direction, and between two points, across patches."""
 
+import math
+
 import numpy as np
 
 from quintrig.interrogation.follow import Curve
@@ -48,13 +50,14 @@ def _fan(tracer: Tracer, start: tuple[int, FloatArray], aim: FloatArray, reach: 
     """Return (angle in degrees, length) of the geodesics from a point that pass nearest to another."""
     patch, uv = start
     frame = Local.at(tracer.surfaces[patch], *uv, order=1)
-    straight = float(np.degrees(np.arctan2(*_in_frame(frame, aim - frame.point)[::-1])))
-    angles = straight + np.arange(_FAN) * (360.0 / _FAN)
+    x, y = _in_frame(frame, aim - frame.point)
+    straight = math.degrees(math.atan2(y, x))
+    angles = [straight + k * (360.0 / _FAN) for k in range(_FAN)]
     tracer.relative = _ROUGH
     trails = tracer.trace([Seed(patch, uv, tangent(tracer, patch, uv, angle)) for angle in angles], reach)
     tracer.relative = RELATIVE
     tries: list[tuple[float, float, float]] = []
-    for angle, trail in zip(angles.tolist(), trails, strict=True):
+    for angle, trail in zip(angles, trails, strict=True):
         points = [tracer.surfaces[path.patch](*path.uv.T) for path in trail.paths]
         if not points:
             continue

@@ -80,12 +80,12 @@ class _Marched:
         along_u, along_v = self._crossed(0), self._crossed(1)
         self.number: list[NDArray[np.intp]] = [np.full(along_u.shape, -1), np.full(along_v.shape, -1)]
         i, j = np.nonzero(along_u)
-        k, l = np.nonzero(along_v)
-        starts = np.concatenate([np.stack([i, j], axis=1), np.stack([k, l], axis=1)])
+        k, m_ = np.nonzero(along_v)
+        starts = np.concatenate([np.stack([i, j], axis=1), np.stack([k, m_], axis=1)])
         ends = starts + np.repeat([[1, 0], [0, 1]], [len(i), len(k)], axis=0)
         self.places, real = self._met(starts, ends)
         numbers = np.where(real, np.arange(len(starts)), -1)
-        self.number[0][i, j], self.number[1][k, l] = numbers[: len(i)], numbers[len(i) :]
+        self.number[0][i, j], self.number[1][k, m_] = numbers[: len(i)], numbers[len(i) :]
         self.shape = n - 1, m - 1
 
     def _crossed(self, direction: int) -> BoolArray:
@@ -116,14 +116,15 @@ class _Marched:
     def lines(self) -> list[FloatArray]:
         """Return the polylines (n, 2) of parameters; a closed one ends where it begins."""
         n, m = self.shape
-        below, above = self.number[0][:, :m], self.number[0][:, 1:]
-        left, right = self.number[1][:n, :], self.number[1][1:, :]
-        sides = np.stack([below, right, above, left], axis=-1)
+        lower, upper = self.number[0][:, :m], self.number[0][:, 1:]
+        before, after = self.number[1][:n, :], self.number[1][1:, :]
+        sides = np.stack([lower, after, upper, before], axis=-1)
         count = (sides >= 0).sum(axis=-1)
         pairs = [row[row >= 0] for row in sides[count == 2]]
         for i, j in np.argwhere(count == 4).tolist():
-            b, r, a, l = sides[i, j]
-            pairs += [(b, r), (a, l)] if self._middle_like_corner(i, j) else [(b, l), (a, r)]
+            low, right, high, left = sides[i, j]
+            alike = self._middle_like_corner(i, j)
+            pairs += [(low, right), (high, left)] if alike else [(low, left), (high, right)]
         beside: dict[int, list[int]] = {}
         for one, other in pairs:
             beside.setdefault(int(one), []).append(int(other))
@@ -235,10 +236,11 @@ def _between(scalar: Scalar, start: FloatArray, end: FloatArray, level: float) -
             uv = np.clip(middle + t[:, None] * across, 0.0, 1.0)
             return signed(scalar(uv[:, 0], uv[:, 1]), level, reference)
 
-        a, b = np.zeros(len(start)), 1e-3 * width
+        a: FloatArray = np.zeros(len(start))
+        b: FloatArray = np.asarray(1e-3 * width)
         fa, fb = signed(first, level, reference), at(b)
         for _ in range(8):
-            c = b - fb * (b - a) / (fb - fa)
+            c: FloatArray = b - fb * (b - a) / (fb - fa)
             c = np.where(np.isfinite(c), np.clip(c, -0.5 * width, 0.5 * width), b)
             a, fa, b = b, fb, c
             fb = at(b)

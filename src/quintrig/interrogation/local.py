@@ -50,8 +50,8 @@ class Forms:
     @cached_property
     def shape(self) -> tuple[FloatArray, FloatArray, FloatArray]:
         """M11, M12, M22 (...) of the shape operator in the frame, 1/length."""
-        (l, m, n), (p, q, r) = self.second, self.frame
-        return p * p * l, p * (q * l + r * m), q * q * l + 2.0 * q * r * m + r * r * n
+        (ll, m, n), (p, q, r) = self.second, self.frame
+        return p * p * ll, p * (q * ll + r * m), q * q * ll + 2.0 * q * r * m + r * r * n
 
     @cached_property
     def half(self) -> tuple[FloatArray, FloatArray]:

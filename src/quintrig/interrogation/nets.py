@@ -4,7 +4,8 @@ After Jobard and Lefer 1997: a line begins ``spacing`` beside another one, and e
 that to a line that was there before.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
+from typing import Any, cast
 
 import numpy as np
 
@@ -13,7 +14,7 @@ from quintrig.interrogation.follow import Curve, both_ways
 from quintrig.interrogation.local import Local
 from quintrig.interrogation.polyline import Path
 from quintrig.interrogation.trace import Tracer
-from quintrig.support.arrays import FloatArray
+from quintrig.support.arrays import BoolArray, FloatArray
 from quintrig.support.progress import Progress
 
 _NEAR = 0.5  # of the spacing: nearer to another line, a line ends
@@ -91,7 +92,7 @@ class Net:
                 s = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
                 middle = 0.5 * s[-1]
                 wanted = middle + self.spacing * np.arange(-int(middle / self.spacing), int(middle / self.spacing) + 1)
-                for k in np.searchsorted(s, wanted).tolist():
+                for k in np.asarray(np.searchsorted(s, wanted), dtype=np.intp).tolist():
                     uv = path.uv[min(k, len(s) - 1)]
                     if self._inside(surface, uv) and self._free(other, surface(*uv)):
                         found.append((path.patch, uv, other))
@@ -153,17 +154,15 @@ class Net:
     def _free(self, mode: int, point: FloatArray) -> bool:
         return bool(self._all_free(mode, point[None, :])[0])
 
-    def _all_free(
-        self, mode: int, points: FloatArray, share: float = _APART
-    ) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
+    def _all_free(self, mode: int, points: FloatArray, share: float = _APART) -> BoolArray:
         from scipy import spatial
 
         clouds = self._clouds.get(mode)
-        good = np.isfinite(points).all(axis=1)
+        good: BoolArray = np.asarray(np.isfinite(points).all(axis=1))
         if not clouds:
             return good
-        tree: Callable[..., tuple[FloatArray, FloatArray]] = spatial.cKDTree(np.concatenate(clouds)).query
-        near, _ = tree(np.where(good[:, None], points, 0.0))
+        tree = cast(Any, spatial).KDTree(np.concatenate(clouds))
+        near: FloatArray = tree.query(np.where(good[:, None], points, 0.0))[0]
         return good & (near >= share * self.spacing)
 
     def _other(self, mode: int) -> int:

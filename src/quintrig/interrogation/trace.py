@@ -182,7 +182,8 @@ class Tracer:
         good &= np.isfinite(dense).all(axis=(1, 2))
         ends = np.where(good[:, None], step.end, y)
         stopped = self.flow.ended(surface, ends)
-        points = analyse(surface, *np.clip(ends[:, :2], 0.0, 1.0).T, ("point",), threads=1).point
+        u, v = np.clip(ends[:, :2], 0.0, 1.0).T
+        points = analyse(surface, u, v, ("point",), threads=1).point
         for k, walk in enumerate(walks):
             leaves = _exit(y[k], step.stages[0][k], 1.5 * h[k]) if outside[k] else None
             if leaves is not None:
@@ -222,16 +223,18 @@ class Tracer:
 
     def _home(self, walk: _Walk, surface: Surface, dense: FloatArray) -> float | None:
         """Return the share of a step at which the line is back at its start, if it is."""
-        x = np.linspace(0.0, 1.0, 17)
-        for _ in range(24):
+        low, high = 0.0, 1.0
+        while True:
+            x = np.linspace(low, high, 17)
             uv = np.clip(dense_at(np.broadcast_to(dense, (len(x), *dense.shape)), x)[:, :2], 0.0, 1.0)
-            apart = np.linalg.norm(surface(*uv.T) - walk.home, axis=1)
+            points = surface(*uv.T)
+            apart = np.linalg.norm(points - walk.home, axis=1)
             k = int(apart.argmin())
-            width = x[1] - x[0]
-            if width < 1e-9:
+            if high - low < 1e-9:
                 break
-            x = np.linspace(max(x[k] - width, 0.0), min(x[k] + width, 1.0), 9)
-        along = surface(*uv[min(k + 1, len(uv) - 1)]) - surface(*uv[max(k - 1, 0)])
+            width = (high - low) / 16.0
+            low, high = max(float(x[k]) - width, 0.0), min(float(x[k]) + width, 1.0)
+        along = points[min(k + 1, 16)] - points[max(k - 1, 0)]
         return float(x[k]) if apart[k] <= _MEETS * self.size and along @ walk.heading > 0.0 else None
 
     def _leave(self, surface: Surface, walks: list[_Walk]) -> None:
@@ -285,7 +288,8 @@ class Tracer:
         off = np.linalg.norm(points[:, 1::2] - 0.5 * (points[:, 0:-1:2] + points[:, 2::2]), axis=2).max(axis=1)
         reach = np.linalg.norm(np.diff(points, axis=1), axis=2).sum(axis=1) / self.longest
         counts = np.clip(np.ceil(np.maximum(4.4 * np.sqrt(off / self.chord), reach)), 1, _FINEST).astype(int)
-        share = np.concatenate([np.arange(2 * n) / (2 * n) for n in counts.tolist()] + [np.ones(1)])
+        shares: list[FloatArray] = [np.arange(2 * n) / (2.0 * n) for n in map(int, counts)]
+        share = np.concatenate([*shares, np.ones(1)])
         which = np.concatenate([np.repeat(np.arange(len(steps)), 2 * counts), [len(steps) - 1]])
         found = np.clip(dense_at(steps[which], share)[:, :2], 0.0, 1.0)
         return Path(walk.patch, found[::2], found[1::2])
@@ -293,7 +297,7 @@ class Tracer:
 
 def _outside(state: FloatArray) -> NDArray[np.bool_]:
     uv = state[:, :2]
-    return ((uv < -1e-13) | (uv > 1.0 + 1e-13)).any(axis=1)
+    return np.asarray(((uv < -1e-13) | (uv > 1.0 + 1e-13)).any(axis=1))
 
 
 def _exit(state: FloatArray, slope: FloatArray, reach: float) -> tuple[int, float] | None:
@@ -314,4 +318,4 @@ def _shortened(dense: FloatArray, share: float) -> FloatArray:
     x = 0.5 - 0.5 * np.cos(np.pi * np.arange(8) / 7.0)
     basis = np.stack([dense_at(np.eye(8)[k][:, None], t[None])[0] for k in range(8) for t in x]).reshape(8, 8)
     wanted = dense_at(np.broadcast_to(dense, (8, *dense.shape)), share * x)
-    return np.linalg.solve(basis.T, wanted)
+    return np.asarray(np.linalg.solve(basis.T, wanted), dtype=np.float64)

@@ -185,7 +185,10 @@ def _of_patch(patch: Patch) -> Found:
             curvature = float(Local.at(surface, *line[len(line) // 2]).mean)
             regions.append(Region(name, "curve", curvature, line, points))
     others = [uv for uv in simple if not any(_near(surface, uv, region.points) for region in regions)]
-    ones = [_classified(patch, uv, others, typical) for uv in sorted(others, key=lambda uv: (round(uv[0], 9), round(uv[1], 9)))]
+    ones = [
+        _classified(patch, uv, others, typical)
+        for uv in sorted(others, key=lambda uv: (round(uv[0], 9), round(uv[1], 9)))
+    ]
     told = _compared(patch, ones, regions)
     if not np.isfinite(local.spread[inside]).all():
         notes.append(f"{name}: has singular points, at which no umbilic is told")
@@ -213,7 +216,7 @@ def _seeds(
         for i, j in np.argwhere((np.abs(turn) > 1.0) & near).tolist()
     ]
     share = np.pad(np.where(np.isfinite(a), np.hypot(a, b) / scale, np.inf), 1, constant_values=np.inf)
-    middle = share[1:-1, 1:-1]
+    middle: FloatArray = share[1:-1, 1:-1]
     least = np.isfinite(middle) & (middle < 0.3) & inside
     for di in (-1, 0, 1):
         for dj in (-1, 0, 1):
