@@ -35,6 +35,11 @@ def main() -> None:
         dpi=100,
     )
     save(space_picture(vault.surface, "mean", Scene(isolines=7), unit="m"), OUT / "vault_mean.png", dpi=110)
+    save(quintrig.plot(boot, lines="curvature"), OUT / "boot_lines.png", dpi=110)
+    lights = quintrig.lines(
+        boot, "reflection", direction=(1, 0, 0.4), light=(0, 0, 3000), along=(0, 1, 0), spacing=400, count=15
+    )
+    save(quintrig.plot(boot, lines=lights), OUT / "boot_reflection.png", dpi=110)
     save(lids(boot), OUT / "sweep.png", dpi=110)
 
 

@@ -122,7 +122,7 @@ def lines(
         "tolerance": _one(tolerance, "--tolerance"),
         "patch": patch,
     }
-    _refuse_output(output, view)
+    _refuse_output(output)
     with session.progress() as show:
         found = find(loaded, kind, progress=show, **{key: value for key, value in given.items() if value is not None})
     if output is not None and str(output) != "-":
@@ -140,12 +140,9 @@ def lines(
         session.remark(note)
 
 
-def _refuse_output(output: Path | None, view: str) -> None:
-    from quintrig.figure.camera import VIEWS
+def _refuse_output(output: Path | None) -> None:
     from quintrig.support.files import refuse_unwritable
 
-    if view not in VIEWS:
-        raise ValueError(f"--view: expected one of {', '.join(VIEWS)}, got {view[:40]!r}")
     if output is not None and str(output) != "-":
         from quintrig.exchange.lines import SUFFIXES
 

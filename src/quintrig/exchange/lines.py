@@ -11,11 +11,10 @@ from xml.sax.saxutils import escape
 import numpy as np
 
 from quintrig.exchange.units import ASSUMED, UNITS, stated
-from quintrig.figure.camera import VIEWS, View
 from quintrig.interrogation.line import Line, Lines
 from quintrig.support.arrays import FloatArray
 from quintrig.support.csv_rows import guarded
-from quintrig.support.errors import QuintrigError
+from quintrig.support.errors import ArgumentError, QuintrigError
 from quintrig.support.extras import need
 from quintrig.support.files import write_whole
 
@@ -39,7 +38,7 @@ class Fitted:
     error: float
 
 
-def write_lines(lines: Lines, path: str | Path, view: str | View = "iso") -> tuple[str, ...]:
+def write_lines(lines: Lines, path: str | Path, view: str = "iso") -> tuple[str, ...]:
     """Write lines to a .csv, .json, .dxf, .svg, .3dm or .step file; return what to tell about it, one line each.
 
     DXF, 3DM and STEP are in the model's unit and in space; SVG is what a ``view`` (iso, side, back, top) shows, at true
@@ -58,7 +57,7 @@ def write_lines(lines: Lines, path: str | Path, view: str | View = "iso") -> tup
     elif suffix == ".dxf":
         data = _dxf(lines)
     elif suffix == ".svg":
-        data = _svg(lines, VIEWS[view] if isinstance(view, str) else view)
+        data = _svg(lines, view)
     else:
         curves = [fitted(line, lines.tolerance) for line in lines]
         if not curves:
@@ -144,8 +143,13 @@ def _dxf(lines: Lines) -> str:
     return stream.getvalue()
 
 
-def _svg(lines: Lines, view: View) -> str:
+def _svg(lines: Lines, name: str) -> str:
     """Return the lines as a view shows them, in millimetres of the page at true scale."""
+    from quintrig.figure.camera import VIEWS  # which loads matplotlib
+
+    if name not in VIEWS:
+        raise ArgumentError(f"expected one of {', '.join(VIEWS)}, got {name[:40]!r}", "view")
+    view = VIEWS[name]
     scale = stated(lines.unit).millimetres
     flat = [scale * view.project(line.points)[:, :2] for line in lines]
     cloud = np.concatenate(flat) if flat else np.zeros((1, 2))

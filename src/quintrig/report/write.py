@@ -20,6 +20,7 @@ from quintrig.report import facts as known
 from quintrig.report import kinds, tables
 from quintrig.report.facts import MARKS, Facts
 from quintrig.report.findings import findings, methods
+from quintrig.report.lines import umbilic_words
 from quintrig.report.mathml import mathml
 from quintrig.report.pictures import Image, invariants_shown, overview, picture_count, pictures, readings, render
 from quintrig.report.wording import measure, number, percent, prose
@@ -154,6 +155,7 @@ def _environment() -> Environment:
         "tables": tables,
         "findings": findings,
         "methods": methods,
+        "umbilic_words": umbilic_words,
         "invariants_shown": invariants_shown,
         "readings": readings,
         "quantity": quantity,
@@ -173,6 +175,7 @@ def sections(chapter: Chapter) -> tuple[tuple[str, str], ...]:
         ("curvature", "Curvature", True),
         ("numbers", "Extremes, means, integrals", True),
         ("points", "At labelled points", True),
+        ("lines", "Lines of curvature and umbilics", chapter.detailed),
         ("invariants", "The six invariants", chapter.detailed),
         ("methods", "Do the methods agree?", True),
         ("effect", "Effect of the shape parameters", bool(chapter.facts.variants)),
