@@ -37,7 +37,7 @@ def main() -> None:
     save(space_picture(vault.surface, "mean", Scene(isolines=7), unit="m"), OUT / "vault_mean.png", dpi=110)
     save(quintrig.plot(boot, lines="curvature"), OUT / "boot_lines.png", dpi=110)
     lights = quintrig.lines(
-        boot, "reflection", direction=(1, 0, 0.4), light=(0, 0, 3000), along=(0, 1, 0), spacing=400, count=15
+        boot, "reflection", direction=(0.4, -0.5, 1), light=(0, 0, 3000), along=(1, 0, 0), spacing=300, count=21
     )
     save(quintrig.plot(boot, lines=lights), OUT / "boot_reflection.png", dpi=110)
     save(lids(boot), OUT / "sweep.png", dpi=110)

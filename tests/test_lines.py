@@ -1,5 +1,7 @@
 """Lines on surfaces against what is known of them in closed form."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from scipy.interpolate import CubicSpline
@@ -7,6 +9,7 @@ from scipy.interpolate import CubicSpline
 import quintrig
 from quintrig import lines
 
+EXAMPLES = Path(__file__).parents[1] / "examples"
 A2 = np.array([9.0, 4.0, 1.0])
 ELLIPSOID = quintrig.ellipsoid(3, 2, 1)
 TORUS = quintrig.torus(3, 1)
@@ -63,6 +66,17 @@ def test_parabolic_circles_of_a_torus():
 def velocities(line):
     """Return the speed in (u, v) along a line, away from its ends, by a spline through its points."""
     return CubicSpline(line.s, line.uv)(line.s, 1)[3:-3]
+
+
+def test_lines_that_cross_in_a_node_of_the_grid_are_found():
+    # H = -x y / W³ vanishes on both axes, which meet.
+    found = lines(quintrig.hyperbolic_paraboloid(), "mean-zero")
+    assert len(found)
+    for line in found:
+        assert np.abs(line.points[:, 0] * line.points[:, 1]).max() < 1e-9
+    wavy = quintrig.load(EXAMPLES / "wavy.toml")
+    for line in lines(wavy, "mean-zero"):
+        assert np.isfinite(line.points).all()
 
 
 def test_clairaut_on_a_torus():

@@ -227,8 +227,8 @@ def _between(scalar: Scalar, start: FloatArray, end: FloatArray, level: float) -
     across = np.stack([-chord[:, 1], chord[:, 0]], axis=1)
     reference: FloatArray | None = None
     with np.errstate(divide="ignore", invalid="ignore"):
-        across = across / np.linalg.norm(chord, axis=1)[:, None]
         width = np.linalg.norm(chord, axis=1)
+        across = across / np.where(width > 0.0, width, 1.0)[:, None]  # two crossings may meet in a node
         first = scalar(middle[:, 0], middle[:, 1])
         reference = first[2]
 
