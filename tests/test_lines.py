@@ -308,6 +308,14 @@ def test_mistakes_are_told_in_one_line(kind, options, words):
     assert "\n" not in str(caught.value)
 
 
+def test_nets_end_where_directions_do():
+    assert "every point is an umbilic" in lines(quintrig.sphere(), "curvature").notes[0]
+    for line in lines(quintrig.cone(), "curvature", spacing=1.0):  # rulings end at the apex
+        assert np.ptp(line.uv, axis=0).min() < 1e-9
+    for line in lines(TORUS, "asymptotic", spacing=4.0):  # they reach the parabolic circles
+        assert np.hypot(*line.points[:, :2].T).max() < 3 + 1e-9
+
+
 def test_seeds_on_umbilics_poles_and_where_there_is_no_direction_are_refused():
     with pytest.raises(ValueError, match="is an umbilic"):
         lines(quintrig.sphere(), "curvature", start=(0.4, 0.4))

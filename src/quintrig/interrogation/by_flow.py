@@ -73,6 +73,8 @@ def _of_flow(
         part = on if ask.patch is None else _only(on, ask.patch)
         curves, on = _net(part, ask, flow, reach), part
         curves = [curve for curve in curves if curve.modes[0] in families]
+        if not curves and isinstance(flow, Principal):
+            found.notes.append("there is no line of curvature: every point is an umbilic, or singular")
     return _written(on, curves, found, labels, values)
 
 

@@ -37,7 +37,12 @@ class Flow(Protocol):
 
 def forms(surface: Surface, state: FloatArray) -> Forms:
     """Return the forms at states (k, d), those beyond the edges as at the edges."""
-    return Forms.of(surface, *np.clip(state[:, :2], 0.0, 1.0).T)
+    return Forms.of(surface, *_inside(state).T)
+
+
+def _inside(state: FloatArray) -> FloatArray:
+    """Return parameters (k, 2) in the domain for any state; what a try of a step makes of NaN is NaN by its slope."""
+    return np.clip(np.nan_to_num(state[:, :2], nan=0.5), 0.0, 1.0)
 
 
 class _Directions:
@@ -59,7 +64,9 @@ class _Directions:
             e, f, g = local.first
             (du, dv), (x, y) = step.T, aim.T
             cosine = e * du * x + f * (du * y + dv * x) + g * dv * y
-            return np.where(cosine < 0.0, -1.0, 1.0)[:, None] * step
+            found = np.where(cosine < 0.0, -1.0, 1.0)[:, None] * step
+        known = np.asarray(np.isfinite(state).all(axis=1))
+        return np.where(known[:, None], found, np.nan)
 
 
 class Principal(_Directions):
@@ -107,7 +114,7 @@ class Geodesic:
     def slope(self, surface: Surface, state: FloatArray, aim: FloatArray, mode: Modes) -> FloatArray:
         """Return (u', v', u'', v'')."""
         with np.errstate(divide="ignore", invalid="ignore"):
-            gamma = Local.at(surface, *np.clip(state[:, :2], 0.0, 1.0).T).christoffel
+            gamma = Local.at(surface, *_inside(state).T).christoffel
         p, q = state[:, 2:3], state[:, 3:4]
         bend = gamma[..., 0] * p * p + 2.0 * gamma[..., 1] * p * q + gamma[..., 2] * q * q
         return np.concatenate([state[:, 2:], -bend], axis=1)

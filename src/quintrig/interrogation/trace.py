@@ -182,7 +182,7 @@ class Tracer:
         good &= np.isfinite(dense).all(axis=(1, 2))
         ends = np.where(good[:, None], step.end, y)
         stopped = self.flow.ended(surface, ends)
-        u, v = np.clip(ends[:, :2], 0.0, 1.0).T
+        u, v = np.clip(ends[:, :2], 0.0, 1.0).T  # of a step that is taken, or its start
         points = analyse(surface, u, v, ("point",), threads=1).point
         for k, walk in enumerate(walks):
             leaves = _exit(y[k], step.stages[0][k], 1.5 * h[k]) if outside[k] else None

@@ -250,7 +250,8 @@ def _newton(surface: Surface, seeds: FloatArray, typical: float) -> list[FloatAr
             move = np.stack([p * step[:, 0] + q * step[:, 1], r * step[:, 1]], axis=1)
             reach = np.abs(move).max(axis=1)
             move *= np.where(reach > 0.05, 0.05 / reach, 1.0)[:, None]
-        move = np.where(np.isfinite(move).all(axis=1)[:, None] & (size > 1e-15 * typical)[:, None], move, 0.0)
+        going = np.asarray(np.isfinite(move).all(axis=1)) & np.asarray(size > 1e-15 * typical)
+        move = np.where(going[:, None], move, 0.0)
         moved = np.clip(uv + move, 0.0, 1.0)
         if np.abs(moved - uv).max(initial=0.0) <= 1e-16:
             break
