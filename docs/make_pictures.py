@@ -35,6 +35,11 @@ def main() -> None:
         dpi=100,
     )
     save(space_picture(vault.surface, "mean", Scene(isolines=7), unit="m"), OUT / "vault_mean.png", dpi=110)
+    save(quintrig.plot(boot, lines="curvature"), OUT / "boot_lines.png", dpi=110)
+    lights = quintrig.lines(
+        boot, "reflection", direction=(0.4, -0.5, 1), light=(0, 0, 3000), along=(1, 0, 0), spacing=300, count=21
+    )
+    save(quintrig.plot(boot, lines=lights), OUT / "boot_reflection.png", dpi=110)
     save(lids(boot), OUT / "sweep.png", dpi=110)
 
 

@@ -21,6 +21,7 @@ SLOW = frozenset(
         "extreme_models",
         "figure_whole",
         "hostile_input",
+        "lines",
         "mesh",
         "outputs",
         "plugins",

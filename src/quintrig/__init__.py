@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from quintrig.enclosures.convex_hull import check_hull as check_hull
     from quintrig.exchange.export import export as export
     from quintrig.exchange.imports import open_model as open_model
+    from quintrig.exchange.lines import write_lines as write_lines
     from quintrig.figure.plot import plot as plot
     from quintrig.figure.style import Style as Style
     from quintrig.geometry.closed_forms import catenoid as catenoid
@@ -56,6 +57,11 @@ if TYPE_CHECKING:
     from quintrig.geometry.envelope import developable as developable
     from quintrig.geometry.exact import exact_surface as exact_surface
     from quintrig.geometry.surface import Surface as Surface
+    from quintrig.interrogation.find import lines as lines
+    from quintrig.interrogation.line import Line as Line
+    from quintrig.interrogation.line import Lines as Lines
+    from quintrig.interrogation.umbilics import Umbilics as Umbilics
+    from quintrig.interrogation.umbilics import umbilics as umbilics
     from quintrig.model.model import Model as Model
     from quintrig.model.model import load as load
     from quintrig.model.save import save as save
@@ -87,6 +93,10 @@ _HOME = {
     "developables.unroll": ("Sheet", "unroll"),
     "exchange.export": ("export",),
     "exchange.imports": ("open_model",),
+    "exchange.lines": ("write_lines",),
+    "interrogation.find": ("lines",),
+    "interrogation.line": ("Line", "Lines"),
+    "interrogation.umbilics": ("Umbilics", "umbilics"),
     "support.errors": ("ModelError",),
     "model.model": ("Model", "load"),
     "model.save": ("save",),

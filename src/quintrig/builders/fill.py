@@ -200,12 +200,13 @@ def _softened(patch: Patch, meetings: Sequence[Meeting]) -> Patch:
         scale = 1.0 / float(np.linalg.norm(np.einsum("nij,ijx->nx", matrix, net), axis=-1).mean())
         right.append(-scale * np.einsum("nijx,ijx->n", row, net))
         part: FloatArray = np.reshape(row[:, inner], (len(T), -1))
-        blocks.append(scale * part)
-    count = blocks[0].shape[1]
+        blocks += [scale * part]
+    count = int(blocks[0].shape[1])
     stiff: FloatArray = np.zeros((count, count))
     np.fill_diagonal(stiff, _STIFF / surface.size)
-    blocks.append(stiff)
-    right.append(np.zeros(count))
+    blocks += [stiff]
+    none: FloatArray = np.zeros(count)
+    right.append(none)
     found = np.linalg.lstsq(np.concatenate(blocks), np.concatenate(right), rcond=None)[0]
     net[inner] += found.reshape(-1, 3)
     return tensor(patch.name, u, v, net, surface.flip)

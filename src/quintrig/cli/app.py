@@ -20,6 +20,7 @@ from quintrig.cli import (
     import_,
     join,
     joins,
+    lines,
     mirror,
     new,
     patches,
@@ -29,6 +30,7 @@ from quintrig.cli import (
     schema,
     sweep,
     table,
+    umbilics,
     view,
 )
 
@@ -75,6 +77,8 @@ def build() -> typer.Typer:
         import_,
         join,
         joins,
+        lines,
+        umbilics,
         mirror,
         blend,
         extend,

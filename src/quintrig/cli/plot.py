@@ -13,12 +13,14 @@ if TYPE_CHECKING:
     from quintrig.figure.style import Style
     from quintrig.model.model import Model
 
+_MOST = 100
 _EPILOG = session.examples(
     ("quintrig plot lid.toml -o lid.png", "the surface, seen obliquely, with its normal"),
     ("quintrig plot lid.toml -o lid.png --net", "with its control net"),
     ("quintrig plot lid.toml -q gaussian -o k.pdf --view flat", "a map of K over (u, v), with the line K = 0"),
     ("quintrig plot lid.toml -q surface,gaussian,mean -o lid.svg", "three pictures side by side"),
     ("quintrig plot lid.toml -q mean --view 30,20 -o h.png", "seen from azimuth 30°, elevation 20°"),
+    ("quintrig plot lid.toml --lines curvature -o lines.png", "with a net of lines of curvature"),
     ("quintrig plot lid.toml --view all -o lid.png", "side, back and top view"),
 )
 
@@ -49,7 +51,9 @@ def plot(
         ),
     ] = "iso",
     net: Annotated[bool, typer.Option("--net/--no-net", help="Draw the control net.")] = False,
-    lines: Annotated[int, typer.Option(min=0, max=100, help="Number of parameter lines each way.")] = 7,
+    lines: Annotated[
+        str, typer.Option(metavar="N|KIND", help="Number of parameter lines each way, or a kind of `quintrig lines`.")
+    ] = "7",
     at: Annotated[
         list[str] | None, typer.Option(metavar="U,V", help="Mark a point of the surface. Repeatable.")
     ] = None,
@@ -88,13 +92,23 @@ def plot(
         [word.strip() for word in quantities.split(",")],
         view=view,
         net=net,
-        lines=lines,
+        lines=_lines(lines),
         at=[(u, v) for u, v in pairs],
         style=style or STANDARD,
         width=width,
     )
     replaced = output.is_file()
     session.wrote(save(figure, output, dpi), replaced)
+
+
+def _lines(text: str) -> int | str:
+    """Return a number of lines from 0 to 100, or the name of a kind."""
+    if not text.lstrip("-+").isdigit():
+        return text
+    count = int(text)
+    if not 0 <= count <= _MOST:
+        raise ValueError(f"--lines: expected a number from 0 to {_MOST}, or a kind of lines, got {text[:20]}")
+    return count
 
 
 def _chosen(model: "Model", name: str | None, shape: str | None) -> "Model":

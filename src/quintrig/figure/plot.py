@@ -16,6 +16,7 @@ from quintrig.figure.curve import plane_curves
 from quintrig.figure.field import Field, common_limits, facet_fields, levels_of, natural_scale
 from quintrig.figure.flat import draw_map, map_axes, map_fields
 from quintrig.figure.legend import draw_key, key_width
+from quintrig.figure.read_lines import traces_of
 from quintrig.figure.save import save as write
 from quintrig.figure.scene import Mark, Scene, Trace
 from quintrig.figure.sheet import sheet
@@ -26,6 +27,7 @@ from quintrig.figure.whole import flat_map, map_panels, panels, space_picture
 from quintrig.figure.zebra import zebra_picture
 from quintrig.geometry.curve import Curve
 from quintrig.geometry.surface import Surface
+from quintrig.interrogation.line import Lines
 from quintrig.model.model import Model
 from quintrig.model.patch import Patch
 from quintrig.quantities.table import quantity as row
@@ -60,7 +62,7 @@ def plot(
     *,
     view: ViewName = "iso",
     net: bool = False,
-    lines: int = 7,
+    lines: int | str | Lines = 7,
     at: Sequence[tuple[float, float]] = (),
     unit: str = "",
     heading: str = "",
@@ -80,13 +82,14 @@ def plot(
     """Return a picture of a surface, patch, model, curve, several curves or a sample, as a matplotlib figure.
 
     ``quantity`` is a key or symbol of the table, several for pictures side by side, "surface" for the plain one,
-    "zebra" for stripes that are reflected; for curves "curve", "comb", "hull", "curvature" or "torsion", the last two over arc
-    length where the curves go on end to end. ``view`` is iso, side, back, top, all, flat (a map over u and v) or
-    (azimuth, elevation) in degrees. ``net`` draws the control net, ``lines`` so many parameter lines each way, ``at``
-    marks parameters. ``unit`` and ``heading`` are those of a model where it is one. ``style`` is "standard", "journal"
-    or a ``Style``, of which title, caption, limits, percentiles, colours, levels, font and size (points) change what
-    they name. ``width`` is in inches, or "84 mm", "column", "page". With ``axes`` of matplotlib the picture alone is
-    drawn there. ``save`` writes a .png, .svg, .pdf or .eps. Raises ValueError for what cannot be drawn.
+    "zebra" for stripes that are reflected; for curves "curve", "comb", "hull", "curvature" or "torsion", the last two
+    over arc length where the curves go on end to end. ``view`` is iso, side, back, top, all, flat (a map over u and v)
+    or (azimuth, elevation) in degrees. ``net`` draws the control net, ``lines`` so many parameter lines each way, or
+    lines of a kind such as "curvature", or ``Lines`` that were found before. ``at`` marks parameters. ``unit`` and
+    ``heading`` are those of a model where it is one. ``style`` is "standard", "journal" or a ``Style``, of which title,
+    caption, limits, percentiles, colours, levels, font and size (points) change what they name. ``width`` is in inches,
+    or "84 mm", "column", "page". With ``axes`` of matplotlib the picture alone is drawn there. ``save`` writes a .png,
+    .svg, .pdf or .eps. Raises ValueError for what cannot be drawn.
     """
     chosen = changed(
         style_named(style) if isinstance(style, str) else style,
@@ -117,10 +120,13 @@ def plot(
         scene = Scene(
             read_view(view, ("all", "flat")),
             net=net,
-            isolines=lines,
+            isolines=lines if isinstance(lines, int) else 0,
+            traces=(
+                *(() if isinstance(lines, int) else traces_of(subject, lines)),
+                *(_beside(subject) if view != "flat" else ()),
+            ),
             marks=_marks(at),
             normal=None in keys and view != "all" and len(surfaces) <= _ARROWS,
-            traces=_beside(subject) if view != "flat" else (),
         )
         if axes is not None:
             figure = _on_axes(axes, surfaces, keys, scene, view, page)

@@ -31,6 +31,7 @@ from quintrig.model.patch import Patch
 from quintrig.multipatch.joins import Joins
 from quintrig.quantities.table import BY_KEY
 from quintrig.report.facts import Facts, has_effect
+from quintrig.report.lines import lines_picture
 from quintrig.report.wording import percent
 
 _DPI = 144
@@ -110,7 +111,7 @@ def pictures(facts: Facts, detailed: bool) -> tuple[Picture, ...]:
     shown = SHOWN if detailed else SHOWN[:2]
     found = [_lead(facts), *_fields(facts, [key for key, _ in shown]), _agreement(facts)]
     if detailed:
-        found += [_projections(facts), *_invariants(facts), *_effect(facts)]
+        found += [_projections(facts), _lines(facts), *_invariants(facts), *_effect(facts)]
     return tuple(found)
 
 
@@ -118,7 +119,7 @@ def picture_count(patch: Patch, detailed: bool) -> int:
     """Return how many pictures ``pictures`` will return for a patch."""
     if not detailed:
         return 6
-    return 3 + 2 * len(SHOWN) + len(INVARIANTS) + (4 if has_effect(patch) else 0)
+    return 4 + 2 * len(SHOWN) + len(INVARIANTS) + (4 if has_effect(patch) else 0)
 
 
 def _lead(facts: Facts) -> Picture:
@@ -171,6 +172,11 @@ def _told(facts: Facts, key: str) -> str:
 def _projections(facts: Facts) -> Picture:
     alt = "Side, back and top views of the surface at one scale."
     return Picture("projections", alt, partial(projections, facts.patch.surface, unit=facts.unit, width=_WIDE))
+
+
+def _lines(facts: Facts) -> Picture:
+    alt = "The surface with a net of lines of curvature and its umbilics."
+    return Picture("lines", alt, partial(lines_picture, facts.patch, facts.unit, _SPACE))
 
 
 def invariants_shown(facts: Facts) -> tuple[str, ...]:

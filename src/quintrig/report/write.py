@@ -23,6 +23,7 @@ from quintrig.report import curves, kinds, tables
 from quintrig.report import facts as known
 from quintrig.report.facts import Facts
 from quintrig.report.findings import findings, methods
+from quintrig.report.lines import umbilic_words
 from quintrig.report.mathml import mathml
 from quintrig.report.pictures import Image, invariants_shown, overview, picture_count, pictures, readings, render
 from quintrig.report.wording import digits_of, measure, percent, prose
@@ -215,6 +216,7 @@ def _environment() -> Environment:
         "tables": tables,
         "findings": findings,
         "methods": methods,
+        "umbilic_words": umbilic_words,
         "invariants_shown": invariants_shown,
         "readings": readings,
         "quantity": quantity,
@@ -234,6 +236,7 @@ def sections(chapter: Chapter) -> tuple[tuple[str, str], ...]:
         ("curvature", "Curvature", True),
         ("numbers", "Extremes, means, integrals", True),
         ("points", "At labelled points", True),
+        ("lines", "Lines of curvature and umbilics", chapter.detailed),
         ("invariants", "The six invariants", chapter.detailed),
         ("methods", "Do the methods agree?", True),
         ("effect", "Effect of the shape parameters", bool(chapter.facts.variants)),

@@ -32,23 +32,50 @@ def write_3dm(
 ) -> bytes:
     """Return a 3DM file with one object for each patch and curve; a flipped patch has its face turned."""
     rhino = need("rhino3dm", "3DM exchange")
-    file = rhino.File3dm()
-    file.ApplicationName = "quintrig"
-    file.ApplicationDetails = remark
-    file.Settings.ModelUnitSystem = getattr(rhino.UnitSystem, stated(unit).rhino)
+    file = _new_file(rhino, unit, remark)
     for form, name in zip(forms, names, strict=True):
-        attributes = rhino.ObjectAttributes()
-        attributes.Name = name
         solid = rhino.Brep.CreateFromSurface(to_rhino(rhino, form))
         if solid is None:
             raise ValueError(f'patch "{name}": rhino3dm makes no face of it')
         if form.flip:
             solid.Flip()
-        file.Objects.AddBrep(solid, attributes)
+        file.Objects.AddBrep(solid, _called(rhino, name))
     for curve in curves:
-        attributes = rhino.ObjectAttributes()
-        attributes.Name = curve.name
-        file.Objects.AddCurve(_to_rhino_curve(rhino, curve), attributes)
+        file.Objects.AddCurve(_to_rhino_curve(rhino, curve), _called(rhino, curve.name))
+    return _bytes(file)
+
+
+def write_3dm_curves(
+    curves: Sequence[tuple[int, FloatArray, FloatArray]], names: Sequence[str], unit: str, remark: str
+) -> bytes:
+    """Return a 3DM file of B-spline curves: degree, full knot vector and poles (n, 3) of each."""
+    rhino = need("rhino3dm", "3DM exchange")
+    file = _new_file(rhino, unit, remark)
+    for (degree, knots, poles), name in zip(curves, names, strict=True):
+        curve = rhino.NurbsCurve(3, False, degree + 1, len(poles))
+        for k, point in enumerate(poles.tolist()):
+            curve.Points[k] = rhino.Point4d(*point, 1.0)
+        for k, value in enumerate(knots[1:-1].tolist()):  # Rhino leaves out the first and the last
+            curve.Knots[k] = value
+        file.Objects.AddCurve(curve, _called(rhino, name))
+    return _bytes(file)
+
+
+def _new_file(rhino: Any, unit: str, remark: str) -> Any:
+    file = rhino.File3dm()
+    file.ApplicationName = "quintrig"
+    file.ApplicationDetails = remark
+    file.Settings.ModelUnitSystem = getattr(rhino.UnitSystem, stated(unit).rhino)
+    return file
+
+
+def _called(rhino: Any, name: str) -> Any:
+    attributes = rhino.ObjectAttributes()
+    attributes.Name = name
+    return attributes
+
+
+def _bytes(file: Any) -> bytes:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "model.3dm"
         if not file.Write(str(path), _VERSION):

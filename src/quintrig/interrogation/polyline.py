@@ -1,0 +1,114 @@
+"""From parameters along a line to a ``Line``: points, arc length, chord error; cut where a face is trimmed away."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from quintrig.geometry.surface import Surface
+from quintrig.interrogation.line import Line
+from quintrig.support.arrays import FloatArray
+
+Values = Callable[[Surface, FloatArray], FloatArray]
+"""The quantity at parameters (n, 2) of a surface, (n,)."""
+
+_HALVINGS = 40  # to find where a line leaves a face
+
+
+@dataclass(frozen=True, eq=False)
+class Path:
+    """Parameters on one patch: ``uv`` (n, 2), and ``middles`` (n - 1, 2) of the line between them."""
+
+    patch: int
+    uv: FloatArray
+    middles: FloatArray
+    closed: bool = False
+
+    def cut(self, surface: Surface) -> "list[Path]":
+        """Return the parts inside the trim loops; itself where there are none."""
+        if not surface.trim:
+            return [self]
+        inside = surface.inside(*self.uv.T)
+        if inside.all():
+            return [self]
+        parts: list[Path] = []
+        start = 0
+        change = np.flatnonzero(inside[1:] != inside[:-1])
+        ends = {int(i): self._crossing(surface, int(i), bool(inside[i])) for i in change}
+        for i in [*ends, len(inside) - 1]:
+            if inside[i]:
+                head = [ends[start - 1]] if start else []
+                tail = [ends[i]] if i in ends else []
+                uv = np.concatenate([*head, self.uv[start : i + 1], *tail])
+                middles = 0.5 * (uv[1:] + uv[:-1])
+                whole = slice(len(head), len(head) + i - start)
+                middles[whole] = self.middles[start:i]
+                if len(uv) > 1:
+                    parts.append(Path(self.patch, uv, middles))
+            start = i + 1
+        return parts
+
+    def _crossing(self, surface: Surface, i: int, leaving: bool) -> FloatArray:
+        """Return the parameters (1, 2) between points i and i + 1 where a loop is crossed."""
+        low, high = self.uv[i], self.uv[i + 1]
+        for _ in range(_HALVINGS):
+            middle = 0.5 * (low + high)
+            if bool(surface.inside(*middle)) == leaving:
+                low = middle
+            else:
+                high = middle
+        return (low if leaving else high)[None, :]
+
+
+def measured(surface: Surface, path: Path) -> tuple[FloatArray, FloatArray, float]:
+    """Return points (n, 3), arc length (n,) and chord error of a path, length¹."""
+    points, middles = surface(*path.uv.T), surface(*path.middles.T)
+    before, after, chord = middles - points[:-1], points[1:] - middles, points[1:] - points[:-1]
+    halves = np.linalg.norm(before, axis=1) + np.linalg.norm(after, axis=1)
+    whole = np.linalg.norm(chord, axis=1)
+    s = np.concatenate([[0.0], np.cumsum((4.0 * halves - whole) / 3.0)])
+    share = np.clip(np.einsum("nk,nk->n", before, chord) / np.where(whole > 0.0, whole * whole, 1.0), 0.0, 1.0)
+    off = np.linalg.norm(before - share[:, None] * chord, axis=1)
+    return points, s, float(off.max(initial=0.0))
+
+
+def line_of(
+    surface: Surface,
+    name: str,
+    path: Path,
+    label: str,
+    values: Values,
+    *,
+    chain: int = 0,
+    level: float | None = None,
+    strength: bool = False,
+) -> Line:
+    """Return the line of a path on a patch; ``strength`` adds ∫|values| ds."""
+    points, s, off = measured(surface, path)
+    found = values(surface, path.uv)
+    total = float(np.sum(0.5 * (np.abs(found[1:]) + np.abs(found[:-1])) * np.diff(s))) if strength else None
+    return Line(name, label, chain, path.closed, path.uv, points, s, found, off, level, total)
+
+
+def chained(lines: Sequence[Line], reach: float) -> tuple[Line, ...]:
+    """Return the lines with one chain number for those of a label whose ends meet within ``reach``, length¹."""
+    from dataclasses import replace
+
+    chain = list(range(len(lines)))
+
+    def root(k: int) -> int:
+        while chain[k] != k:
+            k = chain[k]
+        return k
+
+    ends = [(k, point) for k, line in enumerate(lines) if not line.closed for point in line.points[[0, -1]]]
+    if ends:
+        cloud = np.array([point for _, point in ends])
+        for i, (k, point) in enumerate(ends):
+            near = np.flatnonzero(np.linalg.norm(cloud[i + 1 :] - point, axis=1) <= reach) + i + 1
+            for j in near.tolist():
+                if lines[ends[j][0]].label == lines[k].label:
+                    chain[root(ends[j][0])] = root(k)
+    roots = [root(k) for k in range(len(lines))]
+    numbers = {r: i for i, r in enumerate(dict.fromkeys(roots))}
+    return tuple(replace(line, chain=numbers[r]) for line, r in zip(lines, roots, strict=True))

@@ -1,0 +1,63 @@
+"""Crests and troughs: lines on which a principal curvature is extreme along its own direction.
+
+With the normal towards the viewer, a crest is where κ2 < 0 is least along its line of curvature and outweighs κ1, a
+trough where κ1 > 0 is greatest and outweighs κ2 (Koenderink 1990; Ohtake, Belyaev and Seidel 2004, eq. 2 to 4). The
+strength of a ridge is ∫|κ| ds, a pure number.
+"""
+
+import numpy as np
+
+from quintrig.geometry.surface import Surface
+from quintrig.interrogation.fields import ridge_scalar
+from quintrig.interrogation.levels import Grid, Scalar, signed
+from quintrig.interrogation.local import Local
+from quintrig.interrogation.polyline import Path
+from quintrig.support.arrays import BoolArray, FloatArray
+
+NAMES = {1: "trough", 2: "crest"}
+
+_STEP = 1e-4  # of the domain: at which the change along a line is told
+_NOISE = 1e-9  # of C²: a change of curvature that is rounding
+
+
+def ridges(surface: Surface, patch: int, family: int, chord: float) -> list[Path] | None:
+    """Return the crests (``family`` 2) or troughs (1) of a patch; None where the curvature is constant along lines."""
+    scalar = ridge_scalar(surface, family)
+    grid = Grid.of(surface, scalar)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        local = Local.at(surface, grid.u[:, None], grid.v[None, :])
+        curved = np.hypot(local.curvature(1), local.curvature(2)) / np.sqrt(2.0)
+    values = np.abs(grid.values(0.0))
+    both = np.isfinite(values) & np.isfinite(curved)
+    if not both.any() or np.median(values[both]) <= _NOISE * float(np.max(curved[both])) ** 2:
+        return None
+    return [
+        part
+        for path in grid.paths(patch, surface, 0.0, chord)
+        for part in _parts(path, _extreme(surface, path.uv, scalar, family))
+    ]
+
+
+def _extreme(surface: Surface, uv: FloatArray, scalar: Scalar, family: int) -> BoolArray:
+    """Return at which parameters (n, 2) the curvature is extreme, of the right sign, and the larger of the two."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        local = Local.at(surface, *uv.T)
+        step = local.along(local.angle + (0.5 * np.pi if family == 2 else 0.0))
+        step *= _STEP / np.abs(step).max(axis=1)[:, None]
+        axis = local.lifted(step)
+        here, there = (np.clip(uv + sense * step, 0.0, 1.0) for sense in (-1.0, 1.0))
+        rise = signed(scalar(*there.T), 0.0, axis) - signed(scalar(*here.T), 0.0, axis)
+        one, two = local.curvature(1), local.curvature(2)
+        if family == 1:
+            return (rise < 0.0) & (one > 0.0) & (one >= np.abs(two))
+        return (rise > 0.0) & (two < 0.0) & (-two >= np.abs(one))
+
+
+def _parts(path: Path, kept: BoolArray) -> list[Path]:
+    """Return the stretches of a path, of two points or more, that are kept."""
+    ends = np.flatnonzero(np.diff(np.concatenate([[False], kept, [False]]).astype(int))).reshape(-1, 2)
+    return [
+        Path(path.patch, path.uv[a:b], path.middles[a : b - 1], path.closed and b - a == len(kept))
+        for a, b in ends.tolist()
+        if b - a > 1
+    ]

@@ -1,0 +1,47 @@
+"""Lines of curvature and umbilics of a patch: the picture, and what is said beside it."""
+
+from matplotlib.figure import Figure
+
+from quintrig.figure import Mark, Scene, space_picture
+from quintrig.figure.read_lines import traces_of
+from quintrig.interrogation.find import lines
+from quintrig.interrogation.umbilics import umbilics
+from quintrig.model.patch import Patch
+from quintrig.report.facts import Facts
+
+_SPACING = 1.0 / 7.0  # of the size
+_TOLD = 6  # umbilics by name
+
+
+def lines_picture(patch: Patch, unit: str, width: float) -> Figure:
+    """Return the surface with a net of lines of curvature and its umbilics."""
+    surface = patch.surface
+    traces = traces_of(surface, lines(surface, "curvature", spacing=_SPACING * surface.size)) if surface.size else ()
+    found = umbilics(patch).umbilics
+    marks = tuple(Mark(one.u, one.v, f"{one.type} {k + 1}") for k, one in enumerate(found[:_TOLD]))
+    return space_picture(surface, None, Scene(traces=traces, marks=marks), unit=unit, width=width)
+
+
+def umbilic_words(facts: Facts) -> str:
+    """Say how many umbilics there are, of which types, and whether their indices sum as they must."""
+    found = umbilics(facts.patch)
+    unit = f" 1/{facts.unit}" if facts.unit else ""
+    if any(region.kind == "region" for region in found.regions):
+        return "Here every point is an umbilic: no direction is principal, and there are no such lines."
+    curves = sum(region.kind == "curve" for region in found.regions)
+    if not found.umbilics:
+        said = "No isolated umbilic was found."
+    else:
+        shown = found.umbilics[:_TOLD]
+        ones = "; ".join(
+            f"{one.type} of index {one.index:+g} at (u, v) = ({one.u:.4g}, {one.v:.4g}), κ = {one.curvature:.3g}{unit}"
+            for one in shown
+        )
+        more = f" and {len(found) - _TOLD} more" if len(found) > _TOLD else ""
+        said = f"Umbilics: {ones}{more}."
+    if curves:
+        said += f" There {'is a curve' if curves == 1 else f'are {curves} curves'} of umbilics."
+    for told in found.sums:
+        if told["agree"]:  # the sum is what Poincaré and Hopf ask for
+            said += f" Their indices sum to {told['index_sum']:g}, as the turning along the edges demands."
+    return said

@@ -1,0 +1,120 @@
+"""Umbilics: place, curvature, index and type against what is known, and the sum of indices."""
+
+import json
+
+import numpy as np
+import pytest
+from scipy.special import comb
+
+import quintrig
+from cli_runner import quintrig as command
+from quintrig import umbilics
+
+
+def height(z, low=(-0.6, -0.5), high=(0.5, 0.6), degree=4):
+    """Return z(x, y), a polynomial, over a rectangle as a model of one Bézier patch."""
+    t = np.linspace(0, 1, degree + 1)
+    x = low[0] + (high[0] - low[0]) * t[:, None] + 0 * t[None, :]
+    y = low[1] + (high[1] - low[1]) * t[None, :] + 0 * t[:, None]
+    bernstein = np.stack([comb(degree, k) * t**k * (1 - t) ** (degree - k) for k in range(degree + 1)], axis=1)
+    inverse = np.linalg.inv(bernstein)
+    points = np.einsum("ia,jb,abk->ijk", inverse, inverse, np.stack([x, y, z(x, y)], axis=-1))
+    knots = [[0] * (degree + 1) + [1] * (degree + 1)] * 2
+    return quintrig.Model.from_dict(
+        {"kind": "nurbs", "degrees": [degree] * 2, "knots": knots, "points": points.tolist()}
+    )
+
+
+def test_an_ellipsoid_has_four_lemons():
+    a, b, c = 3.0, 2.0, 1.0
+    found = umbilics(quintrig.ellipsoid(a, b, c))
+    x, z = a * np.sqrt((a * a - b * b) / (a * a - c * c)), c * np.sqrt((b * b - c * c) / (a * a - c * c))
+    wanted = np.array(sorted([[p * x, 0.0, q * z] for p in (-1, 1) for q in (-1, 1)]))
+    points = np.array(sorted(np.round(one.point, 12).tolist() for one in found.umbilics))
+    assert np.abs(points - wanted).max() < 1e-8
+    for one in found.umbilics:
+        assert (one.type, one.index) == ("lemon", 0.5)
+        assert one.curvature == pytest.approx(-a * c / b**3, rel=1e-12)  # n outwards
+    assert found.sums[0]["index_sum"] == found.sums[0]["boundary_rotation"] == 2.0  # Euler's number of a sphere
+    assert found.sums[0]["agree"] is True
+
+
+@pytest.mark.parametrize(
+    ("a", "c", "kind", "index", "leave"),
+    [(1.0, -1.0, "star", -0.5, 3), (3.0, 1.0, "lemon", 0.5, 1), (1.5, 1.0, "monstar", 0.5, 3)],
+)
+@pytest.mark.parametrize("turn", [0.0, 0.7])
+def test_types_by_the_cubic_form(a, c, kind, index, leave, turn):
+    def z(x, y):
+        p, q = np.cos(turn) * x + np.sin(turn) * y, np.cos(turn) * y - np.sin(turn) * x
+        return (p * p + q * q) / 2 + (a * p**3 + 3 * c * p * q * q) / 6
+
+    found = umbilics(height(z))
+    (one,) = [one for one in found.umbilics if np.linalg.norm(one.point) < 1e-6]
+    assert (one.type, one.index, len(one.directions)) == (kind, index, leave)
+    assert one.curvature == pytest.approx(1.0)
+    assert np.abs(one.point).max() < 1e-9
+    assert found.sums[0]["agree"] is True
+    assert any(abs((angle - np.degrees(turn) + 90) % 180 - 90) < 1e-5 for angle in one.directions)  # by symmetry
+
+
+def test_a_monkey_saddle_has_one_planar_umbilic_of_index_minus_a_half():
+    found = umbilics(quintrig.monkey_saddle())
+    (one,) = found.umbilics
+    assert (one.type, one.index, one.curvature) == ("planar", -0.5, 0.0)
+    assert found.sums[0]["boundary_rotation"] == -0.5
+
+
+def test_an_umbilic_that_is_not_simple_has_its_index_by_turning():
+    found = umbilics(height(lambda x, y: x**4 - 6 * x * x * y * y + y**4))
+    (one,) = found.umbilics
+    assert (one.type, one.index) == ("planar", -1.0)
+    assert found.sums[0]["agree"] is True
+
+
+def test_spheres_and_planes_are_told_as_regions():
+    for model, curvature in (
+        (quintrig.sphere(2), -0.5),
+        (height(lambda x, y: 0.3 * x - 0.2 * y), 0.0),
+        (quintrig.ellipsoid(2, 2, 2), -0.5),
+    ):
+        found = umbilics(model)
+        assert not found.umbilics
+        assert [region.kind for region in found.regions] == ["region"]
+        assert found.regions[0].curvature == pytest.approx(curvature, abs=1e-12)
+
+
+def test_a_curve_of_umbilics_is_told_as_one():
+    # z = 7 r²/32 + r⁴/64: on r = 1 both curvatures are the same.
+    found = umbilics(height(lambda x, y: 7 * (x * x + y * y) / 32 + (x * x + y * y) ** 2 / 64, (0.3, 0.2), (1.2, 1.3)))
+    assert not found.umbilics
+    assert [region.kind for region in found.regions] == ["curve"]
+    assert np.abs(np.hypot(*found.regions[0].points[:, :2].T) - 1).max() < 1e-6
+
+
+@pytest.mark.parametrize("make", [quintrig.torus, quintrig.enneper, quintrig.catenoid, quintrig.hyperbolic_paraboloid])
+def test_surfaces_without_umbilics_have_none(make):
+    found = umbilics(make())
+    assert len(found) == 0
+    assert found.sums[0]["agree"] is True
+
+
+def test_the_command_prints_the_same(tmp_path):
+    file = tmp_path / "e.toml"
+    file.write_text('kind = "ellipsoid"\na = 3\nb = 2\nc = 1\n')
+    told = json.loads(command("umbilics", file, "--json").out)
+    assert {"patch", "u", "v", "point", "curvature", "index", "type"} <= set(told["umbilics"][0])
+    assert len(told["umbilics"]) == 4
+    assert told["complete"] in (True, False)
+    said = command("umbilics", file)
+    assert said.code == 0
+    assert said.out.count("lemon") == 4
+    assert "sum of indices 2.0" in said.out
+
+
+def test_lines_leave_an_umbilic_as_its_directions_say():
+    found = quintrig.lines(
+        height(lambda x, y: (x * x + y * y) / 2 + (x**3 - 3 * x * y * y) / 6), "curvature", umbilics=True
+    )
+    starts = [line for line in found if min(np.linalg.norm(line.points[[0, -1]], axis=1)) < 0.01]
+    assert len(starts) == 6  # three to each side
