@@ -41,7 +41,7 @@ def test_a_loop_works_on_the_memory_at_an_address():
 
 
 def test_machine_code_is_loaded_without_what_made_it():
-    _, code = numba_inside.compiled(_double)
+    _, code = numba_inside.compiled(_double.function, _double.kinds, _double.name)
     found = machine_code.load(machine_code.packed(code))
     assert found, VERSION
     again = compiled.Loop(_double.function)
@@ -52,7 +52,7 @@ def test_machine_code_is_loaded_without_what_made_it():
 
 
 def test_broken_machine_code_and_missing_functions_are_as_good_as_none():
-    _, code = numba_inside.compiled(_double)
+    _, code = numba_inside.compiled(_double.function, _double.kinds, _double.name)
     whole = machine_code.packed(code)
     for broken in (b"", b"\x80junk" * 9, whole[:-1], whole[:40] + b"x" + whole[41:]):
         assert machine_code.load(broken) is None
@@ -61,7 +61,7 @@ def test_broken_machine_code_and_missing_functions_are_as_good_as_none():
 
 def test_a_loop_that_reserves_memory_is_refused():
     with pytest.raises(RuntimeError, match=r"expected a loop that needs nothing of Numba, found .*NRT_"):
-        numba_inside.compiled(_greedy)
+        numba_inside.compiled(_greedy.function, _greedy.kinds, _greedy.name)
 
 
 def test_a_loop_holds_whole_numbers_only():

@@ -1,58 +1,60 @@
 """Samples as the tables and labelled arrays that other packages work with."""
 
+from collections.abc import Mapping
 from importlib import import_module
 from importlib.util import find_spec
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from quintrig.quantities.table import BY_KEY
+from quintrig.support.arrays import FloatArray
 from quintrig.support.errors import QuintrigError
 from quintrig.support.extras import need
 
-if TYPE_CHECKING:
-    from quintrig.analysis.sample import Sample
+Values = Mapping[str, NDArray[Any]]
+"""Quantities by key, over parameters u and v that broadcast."""
 
 
-def dataframe(sample: "Sample") -> Any:
+def dataframe(u: FloatArray, v: FloatArray, values: Values) -> Any:
     """Return a pandas or else a polars DataFrame with a row for each point; QuintrigError where neither is there."""
-    u, v = np.broadcast_arrays(sample.u, sample.v)
+    u, v = np.broadcast_arrays(u, v)
     columns: dict[str, Any] = {"u": u.ravel(), "v": v.ravel()}
-    for key in sample.values:
-        row, values = BY_KEY[key], sample[key]
+    for key, array in values.items():
+        row = BY_KEY[key]
         if row.kind == "class":
-            columns[key] = np.array(row.classes)[values.ravel()]
+            columns[key] = np.array(row.classes)[array.ravel()]
         elif row.components == 1:
-            columns[key] = values.ravel()
+            columns[key] = array.ravel()
         else:
-            columns |= {_of_axis(key, x): values[..., i].ravel() for i, x in enumerate("xyz")}
+            columns |= {_of_axis(key, x): array[..., i].ravel() for i, x in enumerate("xyz")}
     for package in ("pandas", "polars"):
         if find_spec(package) is not None:
             return import_module(package).DataFrame(columns)
     raise QuintrigError("a DataFrame needs pandas or polars; install one of them with: pip install pandas")
 
 
-def dataset(sample: "Sample") -> Any:
+def dataset(u: FloatArray, v: FloatArray, values: Values, size: float) -> Any:
     """Return an xarray Dataset of the quantities; QuintrigError where xarray is not installed."""
     xarray = need("xarray", "an xarray Dataset")
-    u, v = sample.u, sample.v
     if u.ndim == v.ndim == 2 and u.shape[1] == v.shape[0] == 1:
         names: tuple[str, ...] = ("u", "v")
         places: dict[str, Any] = {"u": u[:, 0], "v": v[0]}
     else:
-        names = ("point_number",) if len(sample.shape) == 1 else tuple(f"axis_{k}" for k in range(len(sample.shape)))
         both = np.broadcast_arrays(u, v)
+        names = ("point_number",) if both[0].ndim == 1 else tuple(f"axis_{k}" for k in range(both[0].ndim))
         places = {"u": (names, both[0]), "v": (names, both[1])}
     found: dict[str, Any] = {}
-    for key in sample.values:
-        row, values = BY_KEY[key], np.ascontiguousarray(sample[key])
+    for key, array in values.items():
+        row = BY_KEY[key]
         about: dict[str, Any] = {"long_name": row.name, "power_of_length": row.power}
         if row.kind == "class":
             about["classes"] = list(row.classes)
-        found[key] = ((*names, "axis") if row.components == 3 else names, values, about)
-    if any(BY_KEY[key].components == 3 for key in sample.values):
+        found[key] = ((*names, "axis") if row.components == 3 else names, np.ascontiguousarray(array), about)
+    if any(BY_KEY[key].components == 3 for key in values):
         places["axis"] = list("xyz")
-    return xarray.Dataset(found, places, {"size": sample.size})
+    return xarray.Dataset(found, places, {"size": size})
 
 
 def _of_axis(key: str, axis: str) -> str:

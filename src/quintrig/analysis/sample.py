@@ -72,7 +72,7 @@ class Sample(Pickled):
         """
         from quintrig.analysis.frames import dataframe
 
-        return dataframe(self)
+        return dataframe(self.u, self.v, self.values)
 
     def to_xarray(self) -> Any:
         """Return an xarray Dataset: quantities over u and v on a grid, over points otherwise, vectors over x, y, z.
@@ -81,7 +81,7 @@ class Sample(Pickled):
         """
         from quintrig.analysis.frames import dataset
 
-        return dataset(self)
+        return dataset(self.u, self.v, self.values, self.size)
 
     @property
     def singular(self) -> BoolArray:

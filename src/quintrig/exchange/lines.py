@@ -107,20 +107,20 @@ def fitted(line: Line, tolerance: float) -> Fitted:
         return Fitted(knots, points, 1, 0.0)
     middle, chords = 0.5 * (s[1:] + s[:-1]), 0.5 * (points[1:] + points[:-1])
     smooth = len(points) * (0.3 * tolerance) ** 2
-    best: Fitted | None = None
-    for attempt in range(_TRIES + 1):
-        wanted = smooth if attempt < _TRIES else 0.0
+
+    def smoothed(wanted: float) -> tuple[Fitted, float]:
         (knots, coefficients, degree), _ = interpolate.splprep(points.T, u=s, k=_CUBIC, s=wanted)  # pyright: ignore
         poles = np.stack(coefficients, axis=1)  # pyright: ignore
         curve = interpolate.BSpline(knots, poles, degree)  # pyright: ignore
         at = float(np.linalg.norm(curve(s) - points, axis=1).max())
         between = float(np.linalg.norm(curve(middle) - chords, axis=1).max())
-        best = Fitted(np.asarray(knots), poles, int(degree), max(at, between))  # pyright: ignore
+        return Fitted(np.asarray(knots), poles, int(degree), max(at, between)), at  # pyright: ignore
+
+    for attempt in range(_TRIES):
+        best, at = smoothed(smooth * 0.1**attempt)
         if at <= 0.5 * tolerance:
-            break
-        smooth *= 0.1
-    assert best is not None
-    return best
+            return best
+    return smoothed(0.0)[0]
 
 
 def _layer(label: str) -> str:

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from quintrig.basis.functions import Functions
 from quintrig.geometry.surface import Net
 from quintrig.model.patch import Patch
 from quintrig.multipatch.nets import Handle, handle, net_of
@@ -24,6 +25,9 @@ class Affine:
     matrix: FloatArray
     """(n, m, 3, p): the net's coordinates by the free ones."""
 
+    along_u: Functions
+    along_v: Functions
+
     @property
     def values(self) -> FloatArray:
         """The free coordinates as the patch has them, (p,), length¹."""
@@ -31,9 +35,7 @@ class Affine:
 
     def functions(self, axis: int, t: ArrayLike, order: int) -> FloatArray:
         """Return derivatives 0 to ``order`` of the functions in u (``axis`` 0) or v (1), (order + 1, *t.shape, n)."""
-        surface = self.patch.surface
-        assert isinstance(surface.rows, Net)
-        return (surface.blend if axis else surface.rows.functions).derivatives(t, order)
+        return (self.along_v if axis else self.along_u).derivatives(t, order)
 
     def breaks(self, axis: int) -> FloatArray:
         """Return the parameters between which the functions are analytic."""
@@ -50,13 +52,14 @@ class Affine:
 
 def affine(patch: Patch) -> Affine:
     """Return what of a patch may move; ModelError for a kind whose control points are no coordinates of a net."""
-    found = handle(patch)
-    if found is None or not isinstance(patch.surface.rows, Net) or patch.surface.rational:
+    found, rows = handle(patch), patch.surface.rows
+    if found is None or not isinstance(rows, Net) or patch.surface.rational:
         raise ModelError(
             f'patch "{patch.name}": the net of a {patch.kind} is not free to move; '
             + ("make it a tensor-product patch" if net_of(patch) is not None else "vary its shape parameters alone")
         )
-    return Affine(patch, found, found.map().reshape(*found.net(found.values).shape, len(found.values)))
+    matrix = found.map().reshape(*found.net(found.values).shape, len(found.values))
+    return Affine(patch, found, matrix, rows.functions, patch.surface.blend)
 
 
 def at_grid(net: FloatArray, fu: FloatArray, fv: FloatArray) -> FloatArray:

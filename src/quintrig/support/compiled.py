@@ -20,7 +20,9 @@ from importlib.util import find_spec
 from inspect import get_annotations
 from pathlib import Path
 from threading import RLock
-from typing import Any, NamedTuple, TypeVar, cast
+from typing import Any, TypeVar, cast
+
+from quintrig.support.marks import MARKED, Use
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -32,6 +34,7 @@ SOURCES = (
     "support/compiled",
     "support/machine_code",
     "support/memory",
+    "support/marks",
     "support/numba_inside",
     "kernel/contraction",
     "quantities/curvature",
@@ -49,16 +52,6 @@ BLOCK = 64
 """Points in a block: 38 scratch rows of half a KiB stay in a level-1 cache beside the increments. Measured best of 32,
 48, 64, 72, 96 and 128."""
 
-
-class Use(NamedTuple):
-    """How loops use a function: put in place, or called; and whether it is compiled anew for other constants."""
-
-    inlined: bool
-    constants: bool
-
-
-MARKED: dict[Callable[..., Any], Use] = {}
-"""The functions that loops are made of."""
 
 _LOCK = RLock()
 
@@ -162,7 +155,7 @@ def _compiled(wanted: Loop) -> int:
     """Return where the loop lies after compiling it; its machine code is kept for later processes."""
     from quintrig.support import machine_code, numba_inside
 
-    address, code = numba_inside.compiled(wanted)
+    address, code = numba_inside.compiled(wanted.function, wanted.kinds, wanted.name)
     folder = cache_folder()
     if folder is not None:
         try:

@@ -6,7 +6,7 @@ tests/test_numba_inside.py says what a version must have, and pyproject.toml the
 # pyright: reportUnknownLambdaType=false
 # Numba reads what a word means from functions of functions, whose arguments have types of Numba.
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import cache
 from typing import Any, cast
 
@@ -15,8 +15,8 @@ import numba.extending
 from llvmlite import ir as _ir
 
 from quintrig.support import memory
-from quintrig.support.compiled import MARKED, Loop
 from quintrig.support.machine_code import NEVER_CALLED, Code
+from quintrig.support.marks import MARKED
 
 ir = cast(Any, _ir)
 _numba = cast(Any, numba)
@@ -30,22 +30,23 @@ _kept: list[Any] = []
 _OPTIONS: dict[str, Any] = {"fastmath": {"contract", "nsz", "arcp"}, "error_model": "numpy"}
 
 
-def compiled(loop: Loop) -> tuple[int, Code]:
+def compiled(function: Callable[..., None], kinds: Sequence[str], name: str) -> tuple[int, Code]:
     """Return where a loop lies in memory once compiled, and its machine code.
 
-    RuntimeError for a loop that needs more than the process gives, such as memory of its own.
+    ``kinds`` of its parameters are d for real numbers and q for whole ones. RuntimeError for a loop that needs more
+    than the process gives, such as memory of its own.
     """
     _acquaint()
-    kinds = [_types.float64 if kind == "d" else _types.int64 for kind in loop.kinds]
-    made = _numba.cfunc(_types.void(*kinds), **_OPTIONS)(loop.function)
+    types = [_types.float64 if kind == "d" else _types.int64 for kind in kinds]
+    made = _numba.cfunc(_types.void(*types), **_OPTIONS)(function)
     _kept.append(made)
     library = made._library
     module = library._final_module
     missing = [item.name for item in (*module.functions, *module.global_variables) if item.is_declaration]
     needs = tuple(name for name in missing if not name.startswith("llvm."))
-    refused = [name for name in needs if name.startswith(("NRT_", "numba_")) and name not in NEVER_CALLED]
+    refused = [one for one in needs if one.startswith(("NRT_", "numba_")) and one not in NEVER_CALLED]
     if refused:
-        raise RuntimeError(f"{loop.name}: expected a loop that needs nothing of Numba, found {', '.join(refused)}")
+        raise RuntimeError(f"{name}: expected a loop that needs nothing of Numba, found {', '.join(refused)}")
     return int(made.address), Code(made.native_name, needs, library._get_compiled_object())
 
 
