@@ -69,11 +69,11 @@ class Boxes:
 
     def halved(self) -> "Boxes":
         """Return the halves of all boxes, each cut along the side over which its coefficients differ more."""
-        spread = [np.abs(np.diff(self.middle, axis=axis)).max(axis=axis, initial=0.0) for axis in (2, 3)]
-        size = np.abs(self.middle).max(axis=(2, 3)) + LEAST
+        values = self._relative()
+        size = np.abs(values).max(axis=(2, 3), initial=LEAST)
         along, across = (
-            (part.reshape(*part.shape[:2], -1).max(axis=2, initial=0.0) / size).max(axis=1) * count
-            for part, count in zip(spread, self.middle.shape[2:], strict=True)
+            (np.abs(np.diff(values, axis=axis)).max(axis=(2, 3), initial=0.0) / size).max(axis=1) * values.shape[axis]
+            for axis in (2, 3)
         )
         wide = self.high - self.low
         cut = np.where((along >= across) & (wide[:, 0] > 2.0**-40) | (self.middle.shape[3] == 1), 0, 1)
@@ -82,6 +82,16 @@ class Boxes:
         parts = [self.take(cut == axis)._cut(axis) for axis in (0, 1) if (cut == axis).any()]
         fields = ("middle", "radius", "low", "high")
         return Boxes(*(np.concatenate([getattr(part, name) for part in parts]) for name in fields))
+
+    def _relative(self) -> FloatArray:
+        """Return the coefficients, or where the second form divides the others their quotients, which σ is not in."""
+        if self.middle.shape[1] == 1:
+            return self.middle
+        below = self.middle[:, 1:2]
+        size = np.abs(below).max(axis=(2, 3), keepdims=True)
+        usable = np.abs(below) > 1e-12 * size
+        quotients = np.where(usable, self.middle / np.where(usable, below, 1.0), 0.0)
+        return np.delete(quotients, 1, axis=1)
 
     def _cut(self, axis: int) -> "Boxes":
         n = self.middle.shape[2 + axis] - 1

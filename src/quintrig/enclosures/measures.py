@@ -41,6 +41,12 @@ def gauss_sign(shape: Shape, sign: float, direction: FloatArray) -> Problem:
     return [cancelled(shape.gauss, shape.both)[0]], intervals.sign
 
 
+def saddle_sign(shape: Shape, sign: float, direction: FloatArray) -> Problem:
+    """Return λν, which is not below P = λν - μρ: f g μρ is the square of f μ = g ρ."""
+    lam, _, _, nu = shape.second_form
+    return [lam * nu], intervals.sign
+
+
 def mean_sign(shape: Shape, sign: float, direction: FloatArray) -> Problem:
     """Return Q, which has the sign of H."""
     form = cancelled(shape.mean, shape.both)[0]
@@ -111,8 +117,7 @@ def slope(shape: Shape, sign: float, direction: FloatArray) -> Problem:
     forms = [across * across, shape.area * shape.arithmetic.constant(sum(length * length))]
 
     def enclose(low: FloatArray, high: FloatArray) -> Interval:
-        cosine = intervals.root(*intervals.quotient((low[:, 0], high[:, 0]), (low[:, 1], high[:, 1])))
-        return _angle(np.arccos(np.minimum(cosine[1], 1.0)), np.arccos(np.minimum(cosine[0], 1.0)))
+        return tilt(*intervals.root(*intervals.quotient((low[:, 0], high[:, 0]), (low[:, 1], high[:, 1]))))
 
     return _equal(shape, forms), enclose
 
@@ -127,8 +132,7 @@ def draft(shape: Shape, sign: float, direction: FloatArray) -> Problem:
         below, above = intervals.sign(low, high, 2)
         if sign < 0.0:
             below, above = -above, -below
-        sine = np.where(below >= 0.0, least, -most), np.where(above <= 0.0, -least, most)
-        return _angle(np.arcsin(np.clip(sine[0], -1.0, 1.0)), np.arcsin(np.clip(sine[1], -1.0, 1.0)))
+        return elevation(np.where(below >= 0.0, least, -most), np.where(above <= 0.0, -least, most))
 
     return _equal(shape, [*forms, shape.alike(across, forms[1])]), enclose
 
@@ -144,6 +148,16 @@ def _across(shape: Shape, direction: FloatArray) -> Form:
         part * shape.arithmetic.constant(value) for part, value in zip(shape.normal, fractions(direction), strict=True)
     ]
     return parts[0] + parts[1] + parts[2]
+
+
+def tilt(low: FloatArray, high: FloatArray) -> Interval:
+    """Return bounds of the angle of which the cosine is given, in degrees."""
+    return _angle(np.arccos(np.clip(high, 0.0, 1.0)), np.arccos(np.clip(low, 0.0, 1.0)))
+
+
+def elevation(low: FloatArray, high: FloatArray) -> Interval:
+    """Return bounds of the angle of which the sine is given, in degrees."""
+    return _angle(np.arcsin(np.clip(low, -1.0, 1.0)), np.arcsin(np.clip(high, -1.0, 1.0)))
 
 
 def _angle(low: FloatArray, high: FloatArray) -> Interval:

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
@@ -86,6 +87,7 @@ def settle(
         if _refuted(now, whole, enclose, wanted, outside, edges, found):
             return found
         narrow = (now.high - now.low).max(axis=1) <= NARROWEST
+        narrow |= (np.abs(now.middle[:, 0]) <= now.radius[:, 0]).all(axis=(1, 2))  # nothing but rounding is left
         if narrow.any() or found.boxes + len(waiting) + 2 * len(now) > most:
             give_up = narrow if found.boxes + len(waiting) + 2 * len(now) <= most else np.ones(len(now), dtype=np.bool_)
             found.open += [(*a, *b) for a, b in zip(now.low[give_up].tolist(), now.high[give_up].tolist(), strict=True)]
@@ -148,11 +150,24 @@ def joined(first: Boxes, second: Boxes) -> Boxes:
 
 @dataclass(frozen=True)
 class Bounds:
-    """What surely encloses the least and the greatest value, each (low, high), and the boxes it took."""
+    """What surely encloses the least and the greatest value, each (low, high), and the boxes it took.
+
+    ``complete`` where both are as near as was asked for; the least only for a radius of curvature.
+    """
 
     minimum: tuple[float, float]
     maximum: tuple[float, float]
     boxes: int
+    complete: bool = True
+    unit: str = ""
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return it as keys and values; ends at infinity are null."""
+        ends = {
+            name: [end if np.isfinite(end) else None for end in pair]
+            for name, pair in (("minimum", self.minimum), ("maximum", self.maximum))
+        }
+        return {**ends, "boxes": self.boxes, "complete": self.complete, "unit": self.unit}
 
 
 def enclosed(
@@ -160,8 +175,8 @@ def enclosed(
     tolerance: float,
     most: int,
     ends: tuple[bool, bool] = (True, True),
-) -> tuple[Bounds, bool]:
-    """Return what encloses the extremes of a quantity over charts, and whether the tolerance is reached.
+) -> Bounds:
+    """Return what encloses the extremes of a quantity over charts.
 
     Each of the ``ends`` asked for is known to ``tolerance`` times the larger of both values.
     """
@@ -184,7 +199,7 @@ def enclosed(
         allowed = tolerance * max(known, default=0.0)
         done = (least - bottom <= allowed or not ends[0]) and (top - greatest <= allowed or not ends[1])
         if done or count >= most or not any(len(boxes) for boxes, *_ in waiting):
-            return Bounds((bottom, max(least, bottom)), (min(greatest, top), top), count), bool(done)
+            return Bounds((bottom, max(least, bottom)), (min(greatest, top), top), count, bool(done))
         following = []
         for boxes, low, high, enclose, outside in waiting:
             chosen = (low < least - allowed) & ends[0] | (high > greatest + allowed) & ends[1]
