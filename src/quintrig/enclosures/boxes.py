@@ -28,14 +28,14 @@ class Boxes:
     high: FloatArray
 
     @staticmethod
-    def whole(forms: Sequence[Ball]) -> "Boxes":
-        """Return the one box of a chart, from forms of one bidegree."""
+    def whole(forms: Sequence[Ball], low: tuple[float, float] = (0.0, 0.0), wide: float = 1.0) -> "Boxes":
+        """Return one box from forms of one bidegree over it: a chart, or a part of it ``wide`` from ``low``."""
         n, m = forms[0].degree
         scale = _binomials(n)[:, None] * _binomials(m)[None, :]
         middle = np.stack([form.middle for form in forms]) / scale
         radius = np.stack([form.radius for form in forms]) / scale + bound(2) * np.abs(middle)
         radius = (radius + LEAST * (radius > 0.0)) * UP
-        return Boxes(middle[None], radius[None], np.zeros((1, 2)), np.ones((1, 2)))
+        return Boxes(middle[None], radius[None], np.array([low]), np.array([low]) + wide)
 
     def __len__(self) -> int:
         """Return the number of boxes."""
@@ -115,7 +115,8 @@ class Boxes:
         )
 
     def at(self, x: float, y: float) -> tuple[FloatArray, FloatArray]:
-        """Return bounds of the forms at a place of the first box, which must be the whole chart: (1, forms, 1, 1)."""
+        """Return bounds of the forms at a place of the first box, (1, forms, 1, 1)."""
+        x, y = ((np.array([x, y]) - self.low[0]) / (self.high[0] - self.low[0])).tolist()
         n, m = self.middle.shape[2] - 1, self.middle.shape[3] - 1
         left, right = _powers(n, x), _powers(m, y)
         off = bound(2 * (n + m) + 8)

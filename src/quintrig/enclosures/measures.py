@@ -134,7 +134,7 @@ def draft(shape: Shape, sign: float, direction: FloatArray) -> Problem:
             below, above = -above, -below
         return elevation(np.where(below >= 0.0, least, -most), np.where(above <= 0.0, -least, most))
 
-    return _equal(shape, [*forms, shape.alike(across, forms[1])]), enclose
+    return _equal(shape, [*forms, across]), enclose
 
 
 def draft_sign(shape: Shape, sign: float, direction: FloatArray) -> Problem:
@@ -173,9 +173,13 @@ def _scaled(interval: Interval, factor: float) -> Interval:
 
 
 def _equal(shape: Shape, forms: Sequence[Form]) -> list[Form]:
-    """Return the forms in one bidegree."""
-    to = max(form.degree[0] for form in forms), max(form.degree[1] for form in forms)
-    return [shape.raised(form, to) for form in forms]
+    """Return the forms in one bidegree.
+
+    Those of a quotient have degrees that are odd together, or even; the others' are made so by a positive factor.
+    """
+    alike = [shape.alike(form, forms[0]) for form in forms]
+    to = max(form.degree[0] for form in alike), max(form.degree[1] for form in alike)
+    return [shape.raised(form, to) for form in alike]
 
 
 def _of_both(pick: Callable[[Interval, Interval], Interval]) -> Callable[[Shape, float, FloatArray], Problem]:

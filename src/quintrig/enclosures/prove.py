@@ -138,21 +138,16 @@ class Prover:
         """Return what comes of a quantity being in a range on every chart."""
         boxes, regions = 0, list[Region]()
         for index, (chart, shape) in enumerate(self._shapes(sign_only)):
-            for arithmetic in (shape, self._each[index][2]):
+            found = Search()
+            ways = [(shape, False), (self._each[index][2], False), (self._each[index][2], True)]
+            for arithmetic, split in ways:
                 try:
-                    if problem is gauss_sign and wanted == _SADDLE and self._saddle(arithmetic):
-                        found = Search(1)
-                        break
-                    whole, enclose = self._start(problem, arithmetic, claim.direction)
-                    edges = arithmetic.both
+                    found = self._searched(chart, arithmetic, split, problem, claim, wanted)
                 except InexactError:
                     continue
-                found = settle(whole, enclose, wanted, self.most, outside(self.surface, chart), edges)
                 boxes += found.boxes
                 if found.place or not found.open:
                     break
-            else:
-                found = found if found.open else Search()  # pyright: ignore[reportPossiblyUnboundVariable]
             if found.place:
                 witness = self._witness(chart, found, claim, self._each[index][1:])
                 return Verdict("refuted", claim.text, boxes, witness)
@@ -161,6 +156,34 @@ class Prover:
             narrow = all(max(r.u[1] - r.u[0], r.v[1] - r.v[0]) < 1e-6 for r in regions)
             return Verdict("undecided", claim.text, boxes, None, None, tuple(regions), _TOUCHES if narrow else _TOO_FLAT)
         return Verdict("proved", claim.text, boxes)
+
+    def _searched(
+        self,
+        chart: Chart,
+        shape: Shape,
+        split: bool,
+        problem: Callable[..., tuple[list[Form], Enclose]],
+        claim: Claim,
+        wanted: Range,
+    ) -> Search:
+        """Return what comes of one chart; with ``split`` it is cut into quarters before its forms are rounded."""
+        if problem is gauss_sign and wanted == _SADDLE and self._saddle(shape):
+            return Search(1)
+        forms, enclose = problem(shape, self.surface.sign, claim.direction)
+        away = outside(self.surface, chart)
+        if not split:
+            return settle(Boxes.whole([f.ball() for f in forms]), enclose, wanted, self.most, away, shape.both)
+        result = Search()
+        for i, j in ((0, 0), (0, 1), (1, 0), (1, 1)):
+            parts = [form.halves(0)[i].halves(1)[j].ball() for form in forms]
+            part = Boxes.whole(parts, (0.5 * i, 0.5 * j), 0.5)
+            found = settle(part, enclose, wanted, self.most, away, shape.both)
+            result.boxes += found.boxes
+            if found.place:
+                found.boxes = result.boxes
+                return found
+            result.open += found.open
+        return result
 
     def _saddle(self, shape: Shape) -> bool:
         """Return whether K <= 0 because λν <= 0, as on ruled surfaces, where P is minus a square."""

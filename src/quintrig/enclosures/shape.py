@@ -20,6 +20,7 @@ from quintrig.basis.exact_forms import POLYNOMIAL
 from quintrig.basis.exact_numbers import Exact
 from quintrig.enclosures.ball import Ball, Edges
 from quintrig.enclosures.charts import Chart
+from quintrig.enclosures.whole import InexactError, Whole
 
 
 class Form(Protocol):
@@ -41,6 +42,7 @@ class Form(Protocol):
     def edges(self) -> Edges: ...  # noqa: D102
     def divided(self, edges: Edges) -> Self: ...  # noqa: D102
     def multiplied(self, edges: Edges) -> Self: ...  # noqa: D102
+    def halves(self, axis: int) -> "tuple[Form, Form]": ...  # noqa: D102
     def ball(self) -> Ball: ...  # noqa: D102
 
 
@@ -80,9 +82,14 @@ class Shape:
 
     @cached_property
     def factors(self) -> tuple[Edges, Edges]:
-        """The powers f and g."""
-        first, second = ([part.edges() for part in vector if not part.vanishes] for vector in self._tangents)
-        return _least(first), _least(second)
+        """The powers f and g, which exact arithmetic tells for rounded one where an edge may vanish."""
+        first, second = self._tangents
+        if self.arithmetic is Ball and any(_may_vanish(part) for part in (first, second)):
+            try:
+                return Shape(self.chart, Whole).factors
+            except InexactError:
+                pass
+        return _common(first), _common(second)
 
     @cached_property
     def x(self) -> Vector:
@@ -182,6 +189,17 @@ def cancelled(numerator: Form, edges: Edges) -> tuple[Form, Edges]:
     common = _least([numerator.edges(), edges])
     left: Edges = (edges[0] - common[0], edges[1] - common[1], edges[2] - common[2], edges[3] - common[3])
     return numerator.divided(common), left
+
+
+def _common(vector: Vector) -> Edges:
+    return _least([part.edges() for part in vector if not part.vanishes])
+
+
+def _may_vanish(vector: Vector) -> bool:
+    """Return whether all of a vector may be 0 along an edge."""
+    balls = [part.ball() for part in vector]
+    near = np.logical_and.reduce([np.abs(ball.middle) <= ball.radius for ball in balls])
+    return bool(near[0].all() or near[-1].all() or near[:, 0].all() or near[:, -1].all())
 
 
 def _least(found: list[Edges]) -> Edges:

@@ -98,7 +98,22 @@ class Whole:
 
     def multiplied(self, edges: Edges) -> "Whole":
         """Return the form times these powers of u, 1 - u, v and 1 - v."""
-        return Whole(np.pad(self.over, (edges[:2], edges[2:])), self.under)
+        n, m = self.over.shape
+        over: Exact = np.zeros((n + edges[0] + edges[1], m + edges[2] + edges[3]), dtype=object)
+        over[edges[0] : edges[0] + n, edges[2] : edges[2] + m] = self.over
+        return Whole(over, self.under)
+
+    def halves(self, axis: int) -> "tuple[Whole, Whole]":
+        """Return the form over both halves of the chart along u (``axis`` 0) or v, exactly."""
+        form = self.over.T if axis else self.over
+        n = len(form) - 1
+        matrix: Exact = np.zeros((n + 1, n + 1), dtype=object)
+        for j in range(n + 1):  # p becomes p + q / 2, q becomes q / 2
+            for k in range(j + 1):
+                matrix[j, k] = math.comb(n - k, j - k) << (n - j)
+        parts = matrix.dot(form), matrix.dot(form[::-1])[::-1]
+        first, second = (Whole(part.T if axis else part, self.under << n) for part in parts)
+        return first, second
 
     def ball(self) -> Ball:
         """Return the form in doubles, each coefficient rounded once."""
