@@ -42,7 +42,7 @@ def prove(
     patch: OnlyPatch = None,
     face: Face = None,
     whole: Whole = False,
-    boxes: Annotated[int, typer.Option(metavar="N", help="Most boxes for a claim, on each chart.")] = 4096,
+    boxes: Annotated[int, typer.Option(metavar="N", help="Most boxes for a claim, on each chart.")] = 1024,
     output: Annotated[Path | None, typer.Option("-o", "--output", metavar="FILE", help="Write the JSON here.")] = None,
     strict: Annotated[bool, typer.Option("--strict", help="Exit with 1 where a claim is not proved.")] = False,
 ) -> None:

@@ -22,7 +22,7 @@ from quintrig.geometry.envelope import Envelope
 from quintrig.geometry.surface import Surface
 from quintrig.support.arrays import FloatArray
 
-MOST = 4096
+MOST = 1024
 """Most boxes of one claim on one chart."""
 
 _FOR_BOUNDS = 256
@@ -97,9 +97,9 @@ class Prover:
         """Yield the forms of each chart: exact ones where a factor on an edge may be common to a quotient."""
         for chart, balls, wholes in self._each:
             shape = balls
-            if not sign_only and any(balls.both):
+            if not sign_only and any(balls.both) and balls.hidden:
                 try:
-                    shape = wholes if wholes.both is not None else balls
+                    shape = wholes if wholes.gauss else balls
                 except InexactError:
                     shape = balls
             yield chart, shape
@@ -146,7 +146,7 @@ class Prover:
                 except InexactError:
                     continue
                 boxes += found.boxes
-                if found.place or not found.open:
+                if found.place or not found.touching:  # exactness does not help where boxes ran out
                     break
             if found.place:
                 witness = self._witness(chart, found, claim, self._each[index][1:])
@@ -183,6 +183,7 @@ class Prover:
                 found.boxes = result.boxes
                 return found
             result.open += found.open
+            result.touching |= found.touching
         return result
 
     def _saddle(self, shape: Shape) -> bool:
@@ -197,13 +198,14 @@ class Prover:
         u, v = (float(part) for part in chart.parameters(*(np.array(part) for part in found.place)))
         low, high = found.low, found.high
         if shapes and claim.measure:
-            for shape in shapes[any(shapes[0].both) :]:
+            for shape in shapes:
                 try:
                     whole, enclose = self._start(claim.measure.problem, shape, claim.direction)
                 except InexactError:
                     continue
                 low, high = (float(end[0]) for end in enclose(*whole.at(*found.place)))
-                break
+                if np.isfinite([low, high]).all():
+                    break
         return Witness(u, v, tuple(self.surface(u, v).tolist()), 0.5 * (low + high))
 
     def _regular(self, claim: Claim) -> Verdict:

@@ -50,12 +50,16 @@ class Range:
 
 @dataclass
 class Search:
-    """What came out: ``boxes`` looked at, a ``place`` (x, y) where the claim fails, regions (k, 4) left ``open``."""
+    """What came out: ``boxes`` looked at, a ``place`` (x, y) where the claim fails, regions (k, 4) left ``open``.
+
+    ``touching`` where some are open because they are narrow or nothing but rounding is left, not for want of boxes.
+    """
 
     boxes: int = 0
     place: tuple[float, float] | None = None
     low: float = np.nan
     high: float = np.nan
+    touching: bool = False
     open: list[tuple[float, float, float, float]] = field(default_factory=list[tuple[float, float, float, float]])
 
 
@@ -89,6 +93,7 @@ def settle(
         narrow = (now.high - now.low).max(axis=1) <= NARROWEST
         narrow |= (np.abs(now.middle[:, 0]) <= now.radius[:, 0]).all(axis=(1, 2))  # nothing but rounding is left
         if narrow.any() or found.boxes + len(waiting) + 2 * len(now) > most:
+            found.touching |= bool(narrow.any())
             give_up = narrow if found.boxes + len(waiting) + 2 * len(now) <= most else np.ones(len(now), dtype=np.bool_)
             found.open += [(*a, *b) for a, b in zip(now.low[give_up].tolist(), now.high[give_up].tolist(), strict=True)]
             now = now.take(~give_up)

@@ -148,6 +148,14 @@ class Shape:
         return form
 
     @property
+    def hidden(self) -> bool:
+        """Whether P may vanish where f g does, so that exact arithmetic is to say whether a factor is common."""
+        ball = self.gauss.ball()
+        none = np.abs(ball.middle) <= ball.radius
+        sides = (none[0], none[-1], none[:, 0], none[:, -1])
+        return any(power > 0 and bool(side.all()) for power, side in zip(self.both, sides, strict=True))
+
+    @property
     def both(self) -> Edges:
         """The exponents of f g."""
         return _sum(*self.factors)
