@@ -20,6 +20,9 @@ from quintrig.analysis.integrate import Integral, area_means, orientation
 from quintrig.analysis.sample import analyse
 from quintrig.analysis.singular_edges import Limit, limits
 from quintrig.geometry.domain import face_grid
+from quintrig.enclosures.measures import MEASURES
+from quintrig.enclosures.prove import NoProofError, Prover
+from quintrig.enclosures.search import Bounds
 from quintrig.geometry.surface import Surface
 from quintrig.geometry.trimmed import along, window
 from quintrig.quantities.table import quantity
@@ -85,6 +88,7 @@ class Extremes:
 
     ``mean`` is ∫q dA / ∫dA over the points where q is defined, with its measured error; ``grid_mean`` the plain mean of
     the samples, which depends on the parametrisation. ``undefined`` of the ``samples`` are NaN or infinite.
+    ``certified`` surely encloses both extremes, where it was asked for and there is a proof.
     """
 
     key: str
@@ -95,14 +99,18 @@ class Extremes:
     samples: int
     undefined: int
     orientation: str
+    certified: Bounds | None = None
 
 
 def find_extremes(
     surface: Surface,
     keys: Sequence[str] = ("gaussian", "mean", "k1", "k2", "shape_index", "curvedness"),
     samples: int = 65,
+    certified: bool = False,
 ) -> dict[str, Extremes]:
     """Return minimum, maximum and mean of scalar quantities, by key; ``samples`` a side are refined.
+
+    ``certified`` adds bounds that are proved, for quantities and surfaces that have a proof.
 
     Raises ValueError for an unknown or vector quantity, or fewer than 2 samples.
     """
@@ -116,10 +124,19 @@ def find_extremes(
         values = _without_rounding(sample[key], curved, surface.size, key)[inside]
         defined = np.isfinite(values)
         mean = float(values[defined].mean()) if defined.any() else np.nan
+        bounds = _bounds(surface, key) if certified else None
+        missing = int((~defined).sum())
         results[key] = Extremes(
-            key, *found[key], means[key], mean, values.size, int((~defined).sum()), orientation(surface)
+            key, *found[key], means[key], mean, values.size, missing, orientation(surface), bounds
         )
     return results
+
+
+def _bounds(surface: Surface, key: str) -> Bounds | None:
+    try:
+        return Prover(surface).bounds(key, most=256) if key in MEASURES else None
+    except NoProofError:
+        return None
 
 
 def find_ends(surface: Surface, keys: Sequence[str], samples: int = 65) -> dict[str, tuple[Extreme, Extreme]]:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from quintrig.analysis.agreement import Agreement, compare_methods
+from quintrig.analysis.certified import Certified, certify
 from quintrig.analysis.sample import analyse
 from quintrig.analysis.summary import Summary, summarise
 from quintrig.analysis.table import Table, tabulate
@@ -54,6 +55,7 @@ class Facts:
     thresholds: Thresholds
     summary: Summary
     agreement: Agreement
+    certified: Certified
     points: Table
     variants: tuple[Variant, ...]
     middle: tuple[float, float, float]
@@ -62,7 +64,7 @@ class Facts:
 
 def steps(patch: Patch, detailed: bool) -> int:
     """Return how many steps ``gather`` reports."""
-    return 2 + (len(_others(patch)) if detailed else 0)
+    return 3 + (len(_others(patch)) if detailed else 0)
 
 
 def gather(patch: Patch, unit: str, thresholds: Thresholds, grid: int, detailed: bool, report: Report) -> Facts:
@@ -72,6 +74,8 @@ def gather(patch: Patch, unit: str, thresholds: Thresholds, grid: int, detailed:
     summary = summarise(surface, unit, thresholds, grid)
     report("comparison of the methods")
     agreement = compare_methods(surface, grid, grid, thresholds)
+    report("proofs")
+    certified = certify(surface, unit)
     u, v = np.array([(mark.u, mark.v) for mark, _ in MARKS]).T
     points = tabulate(surface, u, v, tuple(BY_KEY), unit=unit, thresholds=thresholds)
     variants: list[Variant] = []
@@ -84,7 +88,7 @@ def gather(patch: Patch, unit: str, thresholds: Thresholds, grid: int, detailed:
     x, y, z = (float(part) for part in middle)
     upright = analyse(surface, *between(grid, grid), ("normal",)).normal[..., 2]
     steep = bool((np.abs(upright) < _STEEP).any())
-    return Facts(patch, unit, thresholds, summary, agreement, points, tuple(variants), (x, y, z), steep)
+    return Facts(patch, unit, thresholds, summary, agreement, certified, points, tuple(variants), (x, y, z), steep)
 
 
 def has_effect(patch: Patch) -> bool:
