@@ -126,9 +126,7 @@ def find_extremes(
         mean = float(values[defined].mean()) if defined.any() else np.nan
         bounds = _bounds(surface, key) if certified else None
         missing = int((~defined).sum())
-        results[key] = Extremes(
-            key, *found[key], means[key], mean, values.size, missing, orientation(surface), bounds
-        )
+        results[key] = Extremes(key, *found[key], means[key], mean, values.size, missing, orientation(surface), bounds)
     return results
 
 

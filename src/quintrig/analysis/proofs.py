@@ -100,7 +100,9 @@ def bounds(
     draft, degrees. Raises ValueError as ``prove`` does.
     """
     if key not in MEASURES:
-        raise ValueError(f"key: {key!r} has no certified bounds{nearest(key, MEASURES)}; there are {', '.join(MEASURES)}")
+        raise ValueError(
+            f"key: {key!r} has no certified bounds{nearest(key, MEASURES)}; there are {', '.join(MEASURES)}"
+        )
     tolerance = number(tolerance, "tolerance")
     if not tolerance > 0.0:
         raise ValueError(f"tolerance: expected a number greater than 0, found {tolerance:g}")
@@ -143,5 +145,3 @@ def _checked(prover: Prover, claim: Claim, verdict: Verdict) -> Verdict:
         note = f"sampled there it is {value:.6g}: the surface is nearly singular, and samples lose their digits"
         return replace(verdict, notes=(*verdict.notes, note))
     return verdict
-
-

@@ -76,7 +76,9 @@ def read(text: str, unit: str = "") -> Claim:
     parts = re.split(r"\s*(>=|<=|==|!=|=|>|<)\s*", body)
     for sign in parts[1::2]:
         if sign not in _TURNED:
-            raise ValueError(f"claim {words!r}: expected >, >=, < or <=, found {sign}; write a range as low <= x <= high")
+            raise ValueError(
+                f"claim {words!r}: expected >, >=, < or <=, found {sign}; write a range as low <= x <= high"
+            )
     if len(parts) == 1:
         name = re.sub(r"^range\s+", "", body)
         return Claim(words, "", _measure(name), direction=direction, sought=True)
@@ -90,7 +92,9 @@ def read(text: str, unit: str = "") -> Claim:
         low, first, name, second, high = parts
         measure = _measure(name)
         if first[0] != second[0]:
-            raise ValueError(f"claim {words!r}: expected a range such as low <= {name} <= high, found {first} and {second}")
+            raise ValueError(
+                f"claim {words!r}: expected a range such as low <= {name} <= high, found {first} and {second}"
+            )
         ends = [_value(part, measure, unit) for part in (low, high)]
         return _compared(words, measure, _TURNED[first], ends[0], second, ends[1], direction)
     raise ValueError(f"claim: expected one such as {_EXAMPLES}, found {words[:60]!r}")
@@ -120,7 +124,9 @@ def _measure(name: str) -> Measure:
     known = ", ".join((*MEASURES, *STRUCTURAL))
     if key in BY_KEY:
         raise ValueError(f"claim: {key} has no proof; these have: {known}")
-    raise ValueError(f"claim: no quantity {name[:60]!r} to prove{nearest(key, (*MEASURES, *STRUCTURAL))}; there are {known}")
+    raise ValueError(
+        f"claim: no quantity {name[:60]!r} to prove{nearest(key, (*MEASURES, *STRUCTURAL))}; there are {known}"
+    )
 
 
 def _value(text: str, measure: Measure, unit: str) -> float:
@@ -147,7 +153,14 @@ def _value(text: str, measure: Measure, unit: str) -> float:
 
 def _length(given: str, measure: Measure, unit: str) -> tuple[int, str]:
     """Return power and unit of length of a text such as ``1/mm²``."""
-    text = given.replace("²", "2").replace("^", "").replace("**", "").replace(" ", "").replace("⁻¹", "-1").replace("⁻2", "-2")
+    text = (
+        given.replace("²", "2")
+        .replace("^", "")
+        .replace("**", "")
+        .replace(" ", "")
+        .replace("⁻¹", "-1")
+        .replace("⁻2", "-2")
+    )
     found = re.fullmatch(r"(1?/)?([a-zµ]+)(-?[12])?", text)
     if not found:
         raise ValueError(f"claim: expected {_wanted(measure, unit)} for {measure.key}, found {given[:20]!r}")

@@ -154,7 +154,9 @@ class Prover:
             regions += _regions(chart, found)
         if regions:
             narrow = all(max(r.u[1] - r.u[0], r.v[1] - r.v[0]) < 1e-6 for r in regions)
-            return Verdict("undecided", claim.text, boxes, None, None, tuple(regions), _TOUCHES if narrow else _TOO_FLAT)
+            return Verdict(
+                "undecided", claim.text, boxes, None, None, tuple(regions), _TOUCHES if narrow else _TOO_FLAT
+            )
         return Verdict("proved", claim.text, boxes)
 
     def _searched(
@@ -271,5 +273,3 @@ def _regions(chart: Chart, found: Search) -> list[Region]:
     u0, v0 = chart.parameters(low[:, 0], low[:, 1])
     u1, v1 = chart.parameters(high[:, 0], high[:, 1])
     return [Region((a, b), (c, d)) for a, b, c, d in zip(*(part.tolist() for part in (u0, u1, v0, v1)), strict=True)]
-
-

@@ -12,6 +12,7 @@ from quintrig.support.arrays import BoolArray, FloatArray
 NARROWEST = 2.0**-30
 """A box this narrow is not halved again."""
 
+_DEEP = 2.0**-7  # so narrow a box open says that the quantity comes near to the bound
 _AT_ONCE = 1 << 20  # coefficients worked on together
 _INWARD = tuple(2.0**-k for k in (4, 8, 12, 16, 20, 24, 28, 32, 36, 40))
 
@@ -93,7 +94,7 @@ def settle(
         narrow = (now.high - now.low).max(axis=1) <= NARROWEST
         narrow |= (np.abs(now.middle[:, 0]) <= now.radius[:, 0]).all(axis=(1, 2))  # nothing but rounding is left
         if narrow.any() or found.boxes + len(waiting) + 2 * len(now) > most:
-            found.touching |= bool(narrow.any())
+            found.touching |= bool(((now.high - now.low).max(axis=1) <= _DEEP).any() | narrow.any())
             give_up = narrow if found.boxes + len(waiting) + 2 * len(now) <= most else np.ones(len(now), dtype=np.bool_)
             found.open += [(*a, *b) for a, b in zip(now.low[give_up].tolist(), now.high[give_up].tolist(), strict=True)]
             now = now.take(~give_up)

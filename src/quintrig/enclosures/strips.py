@@ -27,6 +27,7 @@ from quintrig.support.arrays import FloatArray
 
 BY_CONSTRUCTION = "the surface is the envelope of a family of planes: K = 0 by construction, where it is regular"
 
+
 @dataclass(frozen=True, eq=False)
 class Boundary:
     """Forms along u on one boundary of one span: Π, Π''·a, w, |n|² and |n x n'|², and which boundary it is."""
@@ -90,9 +91,7 @@ def prove(surface: Surface, claim: Claim, most: int) -> Verdict:
     return Verdict("proved", claim.text, boxes, notes=(BY_CONSTRUCTION,))
 
 
-def bounds(
-    surface: Surface, measure: Measure, tolerance: float, most: int, direction: FloatArray
-) -> Bounds:
+def bounds(surface: Surface, measure: Measure, tolerance: float, most: int, direction: FloatArray) -> Bounds:
     """Return what encloses the values of a quantity on a strip."""
     if measure.key == "gaussian":
         return Bounds((0.0, 0.0), (0.0, 0.0), 0)
@@ -166,7 +165,9 @@ def _regular(surface: Surface, edges: list[Boundary], text: str, most: int) -> V
         found = settle(Boxes.whole([_ball(form)]), intervals.sign, wanted, most)
         boxes += found.boxes
         if found.place:
-            return Verdict("refuted", text, boxes, _witness(surface, edge, found), why="the edge of regression is inside")
+            return Verdict(
+                "refuted", text, boxes, _witness(surface, edge, found), why="the edge of regression is inside"
+            )
         regions += [_region(edge, box) for box in found.open]
     if regions:
         return Verdict("undecided", text, boxes, None, None, tuple(regions), "the edge of regression may be inside")
@@ -199,7 +200,9 @@ def _cross(x: Exact, y: Exact) -> Exact:
 
 def _meet(plane: Exact, slope: Exact, cut: Exact) -> list[Exact]:
     """Return the homogeneous point in which three planes meet: the signed minors of their coordinates."""
-    pairs = {(i, j): times(plane[:, i], slope[:, j]) - times(plane[:, j], slope[:, i]) for i in range(4) for j in range(4)}
+    pairs = {
+        (i, j): times(plane[:, i], slope[:, j]) - times(plane[:, j], slope[:, i]) for i in range(4) for j in range(4)
+    }
     result: list[Exact] = []
     for k in range(4):
         i, j, m = (n for n in range(4) if n != k)

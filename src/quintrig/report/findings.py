@@ -34,7 +34,14 @@ def findings(facts: Facts) -> tuple[Markup, ...]:
     """Return the key findings, one or two sentences each."""
     if facts.summary.singular.count == facts.summary.singular.samples:
         return (Markup("The surface has no tangent plane anywhere, so nothing can be said of its curvature."),)
-    told = [*_shape(facts), *_bend(facts.summary), *_range(facts.summary), *_proved(facts), methods(facts.agreement), *_effect(facts)]
+    told = [
+        *_shape(facts),
+        *_bend(facts.summary),
+        *_range(facts.summary),
+        *_proved(facts),
+        methods(facts.agreement),
+        *_effect(facts),
+    ]
     return tuple(told)
 
 
