@@ -24,6 +24,7 @@ SLOW = frozenset(
         "mesh",
         "outputs",
         "plugins",
+        "proofs_many",
         "properties",
         "readme",
         "recipes",

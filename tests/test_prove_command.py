@@ -4,9 +4,9 @@ import json
 
 import numpy as np
 import pytest
-from cli_runner import quintrig as cli
 
 import quintrig
+from cli_runner import quintrig as cli
 from quintrig.analysis.certified import certify, ranges
 from quintrig.enclosures.claims import read
 from quintrig.sweep import Axis, DesignSpace, open_sweep, prove_rows

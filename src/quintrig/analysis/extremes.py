@@ -19,10 +19,10 @@ from numpy.typing import NDArray
 from quintrig.analysis.integrate import Integral, area_means, orientation
 from quintrig.analysis.sample import analyse
 from quintrig.analysis.singular_edges import Limit, limits
-from quintrig.geometry.domain import face_grid
 from quintrig.enclosures.measures import MEASURES
 from quintrig.enclosures.prove import NoProofError, Prover
 from quintrig.enclosures.search import Bounds
+from quintrig.geometry.domain import face_grid
 from quintrig.geometry.surface import Surface
 from quintrig.geometry.trimmed import along, window
 from quintrig.quantities.table import quantity

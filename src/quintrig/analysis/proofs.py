@@ -29,7 +29,7 @@ _AGREE = 1e-6
 
 
 @overload
-def prove(
+def prove(  # pyright: ignore[reportOverlappingOverload]  # a text is a sequence too, but is meant as one claim
     subject: Subject,
     claim: str,
     *,

@@ -62,7 +62,7 @@ class Circular(Functions):
         return np.stack([bernstein_product(rest, quarter[:, i]) for i in range(2)], axis=-1)
 
     def exact(self) -> tuple[exact_forms.Span, ...]:
-        """Return the functions span by span as forms with exact coefficients; NotRationalError for part of a right angle."""
+        """Return the functions span by span as exact forms; NotRationalError for part of a right angle."""
         return exact_forms.circular(self.start, self.end)
 
 

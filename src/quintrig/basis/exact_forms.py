@@ -1,10 +1,10 @@
 """Functions of one parameter as homogeneous forms in p, q >= 0 with exact coefficients: what proofs start from.
 
 A form of degree n is Σ_k s_k p^(n-k) q^k. On a span of [0, 1] one quadratic form σ stands for 1, and x = q / (p + q)
-runs from 0 to 1. For polynomials p and q are the distances to the two ends and σ = (p + q)². For trigonometric ones, σ
-= p² + 2pq + 2q² makes p = √2 sin(π(1-t)/4) and q = sin(πt/4): a sine is 2pq + 2q², all whole numbers. For sines of another
-angle γ, σ = p² + 2 cos(γ) pq + q². The Poisson bracket {σ, F} / 2 = (σ_p F_q - σ_q F_p) / 2 is the derivative of F up to
-a positive constant; it keeps the degree and obeys the product rule, and {σ, σ} = 0.
+runs from 0 to 1. For polynomials p and q are the distances to the two ends and σ = (p + q)². For trigonometric ones,
+σ = p² + 2pq + 2q² makes p = √2 sin(π(1-t)/4) and q = sin(πt/4): a sine is 2pq + 2q², all in whole numbers. For sines of
+another angle γ, σ = p² + 2 cos(γ) pq + q². The Poisson bracket {σ, F} / 2 = (σ_p F_q - σ_q F_p) / 2 is the derivative
+of F up to a positive constant; it keeps the degree and obeys the product rule, and {σ, σ} = 0.
 """
 
 import math

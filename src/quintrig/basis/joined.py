@@ -69,5 +69,5 @@ class Joined(Functions):
         return assembled(self.parts)
 
     def exact(self) -> tuple[exact_forms.Span, ...]:
-        """Return the functions span by span as forms with exact coefficients; NotRationalError without a common form."""
+        """Return the functions span by span as exact forms; NotRationalError without a common one."""
         return exact_forms.joined([part.exact() for part in self.parts])

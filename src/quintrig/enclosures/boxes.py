@@ -12,7 +12,7 @@ from functools import lru_cache
 import numpy as np
 
 from quintrig.enclosures.ball import LEAST, UP, Ball, bound
-from quintrig.support.arrays import FloatArray
+from quintrig.support.arrays import BoolArray, FloatArray
 
 Enclose = Callable[[FloatArray, FloatArray], tuple[FloatArray, FloatArray]]
 """From lower and upper bounds of coefficients (boxes, forms, n, m) to bounds of the quantity in each box (boxes,)."""
@@ -41,7 +41,7 @@ class Boxes:
         """Return the number of boxes."""
         return len(self.middle)
 
-    def take(self, chosen: FloatArray | slice) -> "Boxes":
+    def take(self, chosen: BoolArray | slice) -> "Boxes":
         """Return some of the boxes."""
         return Boxes(self.middle[chosen], self.radius[chosen], self.low[chosen], self.high[chosen])
 

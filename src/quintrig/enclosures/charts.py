@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from quintrig.basis.exact_forms import POLYNOMIAL, Span, bracket
+from quintrig.basis.exact_forms import POLYNOMIAL, Span, bracket, raised
 from quintrig.basis.exact_numbers import Exact, fractions
 from quintrig.basis.functions import Functions
 from quintrig.geometry.surface import Net, Surface
@@ -76,7 +76,7 @@ def charts(surface: Surface) -> Iterator[Chart]:
     net[..., :3] = net[..., :3] / scale
     for u, used_u in along:
         for v, used_v in across:
-            yield Chart(u, v, net[np.ix_(used_u, used_v)], scale)
+            yield Chart(u, v, net[used_u][:, used_v], scale)
 
 
 def _scale(net: Exact) -> Fraction:
@@ -108,14 +108,14 @@ def _split(points: Exact, functions: Functions) -> Exact:
     return np.concatenate([0 * points[:1], points])
 
 
-def _direction(span: Span, functions: Functions, whole: bool) -> tuple[Direction, FloatArray]:
+def _direction(span: Span, functions: Functions, whole: bool) -> tuple[Direction, list[int]]:
     """Return the forms of 1 and the increments of a span, or with ``whole`` its functions, and which are not 0."""
     unit = POLYNOMIAL if span.unit is None else span.unit
     columns = span.columns if whole else _increments(span.columns, functions)
     one = span.raised(len(columns) - 1, unit).sum(axis=1) if functions.partition else _one(len(columns) - 1, unit)
     forms = columns if whole else np.concatenate([one[:, None], columns], axis=1)
     # A constant increment moves nothing; without its column the others' coefficients stay exact zeros.
-    used = np.array([i for i in range(forms.shape[1]) if forms[:, i].any()])
+    used = [i for i in range(forms.shape[1]) if forms[:, i].any()]
     return Direction(span, forms[:, used], unit), used
 
 
@@ -130,6 +130,4 @@ def _increments(columns: Exact, functions: Functions) -> Exact:
 
 def _one(degree: int, unit: Exact) -> Exact:
     """Return σ to half the degree, which stands for 1."""
-    from quintrig.basis.exact_forms import raised
-
     return raised(np.array([1], dtype=object), degree, unit)

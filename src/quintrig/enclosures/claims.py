@@ -1,4 +1,4 @@
-"""Claims as people write them: ``gaussian > 0``, ``curvature_radius >= 30 mm``, ``-5 deg <= draft <= 5 deg``, ``regular``."""
+"""Claims as people write them: ``gaussian > 0``, ``curvature_radius >= 30 mm``, ``-5 deg <= draft <= 5 deg``."""
 
 import math
 import re

@@ -31,5 +31,5 @@ def _one_normal(normal: Vector, axis: int, end: float) -> bool:
 def _side(form: Form, axis: int, end: float) -> Form:
     """Return a form along an edge across ``axis``, as one of degree 0 in that axis."""
     n = form.degree[axis]
-    drop = (0, n) if end == 0.0 else (n, 0)
-    return form.divided((*drop, 0, 0) if axis == 0 else (0, 0, *drop))
+    first, last = (0, n) if end == 0.0 else (n, 0)
+    return form.divided((first, last, 0, 0) if axis == 0 else (0, 0, first, last))

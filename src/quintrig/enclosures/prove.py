@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -38,7 +39,7 @@ class NoProofError(ValueError):
 
 @dataclass(frozen=True, eq=False)
 class Prover:
-    """Proofs about one surface; ``most`` boxes a claim and chart. Charts and their forms are kept from claim to claim."""
+    """Proofs about one surface, with ``most`` boxes a claim and chart; forms are kept from claim to claim."""
 
     surface: Surface
     unit: str = ""
@@ -46,19 +47,17 @@ class Prover:
 
     def __post_init__(self) -> None:
         """Split the surface into charts once; NoProofError where it has none."""
+        _ = self._each
+
+    @cached_property
+    def _each(self) -> list[tuple[Chart, Shape, Shape]]:
         if isinstance(self.surface.rows, Envelope):
-            object.__setattr__(self, "_charts", [])
-            return
+            return []
         try:
             found = list(charts(self.surface))
         except (NotRationalError, AttributeError) as error:
             raise NoProofError(f"no proof for this surface, whose curvature can only be sampled: {error}") from None
-        pairs = [(chart, Shape(chart, Ball), Shape(chart, Whole)) for chart in found]
-        object.__setattr__(self, "_charts", pairs)
-
-    @property
-    def _each(self) -> "list[tuple[Chart, Shape, Shape]]":
-        return self._charts  # pyright: ignore[reportAttributeAccessIssue]
+        return [(chart, Shape(chart, Ball), Shape(chart, Whole)) for chart in found]
 
     def prove(self, text: str | Claim, bounds: bool = False) -> Verdict:
         """Return what comes of a claim; with ``bounds`` also what encloses the quantity's values. ValueError."""
@@ -154,9 +153,8 @@ class Prover:
             regions += _regions(chart, found)
         if regions:
             narrow = all(max(r.u[1] - r.u[0], r.v[1] - r.v[0]) < 1e-6 for r in regions)
-            return Verdict(
-                "undecided", claim.text, boxes, None, None, tuple(regions), _TOUCHES if narrow else _TOO_FLAT
-            )
+            why = _TOUCHES if narrow else _TOO_FLAT
+            return Verdict("undecided", claim.text, boxes, None, None, tuple(regions), why)
         return Verdict("proved", claim.text, boxes)
 
     def _searched(
@@ -249,8 +247,8 @@ class Prover:
                 for power, edge in zip(edges, _edges(chart), strict=True):
                     if power:
                         told[
-                            f"{name} vanishes along {edge}: its factor is divided out, and the proof is of the rest; on "
-                            "the edge itself the normal is the limit, and curvature may be without bound beside it"
+                            f"{name} vanishes along {edge}: its factor is divided out, and the proof is of the rest; "
+                            "on the edge the normal is the limit, and curvature may be without bound beside it"
                         ] = None
         return tuple(told)
 

@@ -206,7 +206,7 @@ def enclosed(
         done = (least - bottom <= allowed or not ends[0]) and (top - greatest <= allowed or not ends[1])
         if done or count >= most or not any(len(boxes) for boxes, *_ in waiting):
             return Bounds((bottom, max(least, bottom)), (min(greatest, top), top), count, bool(done))
-        following = []
+        following: list[tuple[Boxes, FloatArray, FloatArray, Enclose, Outside]] = []
         for boxes, low, high, enclose, outside in waiting:
             chosen = (low < least - allowed) & ends[0] | (high > greatest + allowed) & ends[1]
             narrow = (boxes.high - boxes.low).max(axis=1) <= NARROWEST

@@ -7,12 +7,12 @@ N is the direction of the normal also where S_u or S_v vanishes, and
     K = P / (f g D²), P = λν - μρ,    H = Q / (2 f g D^1.5), Q = f (X·X) ν - (X·Y)(f μ + g ρ) + g (Y·Y) λ.
 
 In homogeneous coordinates (A, w) it is w² S_u = w A_u - w_u A = f X that is divided: then w⁴ P and w² Q take the place
-of P and Q. Subscripts of X and Y are brackets with σ (``basis.exact_forms``), derivatives up to a factor that drops out.
+of P and Q. Subscripts of X and Y are brackets with σ (``basis.exact_forms``): derivatives up to a factor.
 """
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Protocol, Self
+from typing import Any, Protocol, Self
 
 import numpy as np
 
@@ -66,7 +66,7 @@ class Shape:
     """The forms of one chart in one ``arithmetic``, ``Ball`` or ``Whole``, each worked out when first asked for."""
 
     chart: Chart
-    arithmetic: type[Form]
+    arithmetic: Any  # the class, whose static methods build forms
 
     @cached_property
     def _tangents(self) -> tuple[Vector, Vector]:
@@ -143,8 +143,10 @@ class Shape:
 
     def weighted(self, form: Form, power: int) -> Form:
         """Return a form times a power of the weight."""
-        for _ in range(power if self.weight is not None else 0):
-            form = form * self.weight
+        weight = self.weight
+        for _ in range(power if weight is not None else 0):
+            assert weight
+            form = form * weight
         return form
 
     @property

@@ -34,10 +34,11 @@ def prove_rows(
     """
     check_claims(sweep, claims)
     names = sweep.task.space.names
-    designs = [dict(zip(names, values, strict=True)) for values in zip(*(rows[n].tolist() for n in names), strict=True)]
+    count = len(rows[names[0]])
+    designs = [{name: float(rows[name][index]) for name in names} for index in range(count)]
     if not scheduler:
         with ThreadPoolExecutor(cpu_count() or 1) as pool:
-            return list(pool.map(lambda design: prove_design(sweep.task, design, claims), designs))
+            return [one.result() for one in [pool.submit(prove_design, sweep.task, d, claims) for d in designs]]
     need("distributed", "a cluster")
     from distributed import Client
 
