@@ -19,6 +19,7 @@ from quintrig.model.patch import Patch
 from quintrig.quantities.table import BY_KEY
 from quintrig.support.arrays import frozen, number, whole
 from quintrig.support.errors import nearest
+from quintrig.support.tolerance import typical_rounding
 
 Subject = Surface | Patch | Model
 Progress = Callable[[str, int, int], None]
@@ -140,7 +141,11 @@ def _checked(prover: Prover, claim: Claim, verdict: Verdict) -> Verdict:
         return verdict
     sample = analyse(prover.surface, witness.u, witness.v, (claim.key, "curvedness"))
     value, size = (float(part) for part in (sample[claim.key], sample["curvedness"]))
-    scale: float = max(size ** -BY_KEY[claim.key].power, abs(witness.value))
+    power = BY_KEY[claim.key].power
+    scale: float = max(size**-power, abs(witness.value))
+    if power < 0 and abs(witness.value) <= typical_rounding(size, power):
+        note = "the value there is no more than what rounded control points make of 0; leave the claim that much room"
+        verdict = replace(verdict, notes=(*verdict.notes, note))
     if np.isfinite(value) and abs(value - witness.value) > _AGREE * scale:
         note = f"sampled there it is {value:.6g}: the surface is nearly singular, and samples lose their digits"
         return replace(verdict, notes=(*verdict.notes, note))

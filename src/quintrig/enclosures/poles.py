@@ -1,8 +1,13 @@
 """Edges that are one point: a pole, with one normal, or an apex, with many."""
 
+import numpy as np
+
 from quintrig.enclosures.charts import Chart
 from quintrig.enclosures.shape import Form, Shape, Vector, cross
 from quintrig.enclosures.whole import InexactError
+
+_ROUNDED = 1e-9
+"""Normals that differ by a smaller angle at a pole do so by the rounding of control points and weights."""
 
 
 def apex(chart: Chart, shape: Shape) -> tuple[float, float] | None:
@@ -22,10 +27,15 @@ def apex(chart: Chart, shape: Shape) -> tuple[float, float] | None:
 
 
 def _one_normal(normal: Vector, axis: int, end: float) -> bool:
-    """Return whether the normal keeps its direction along an edge."""
+    """Return whether the normal keeps its direction along an edge, to the rounding of control points and weights."""
     along = [_side(part, axis, end) for part in normal]
     corner = [_side(part, 1 - axis, 0.0) for part in along]
-    return all(part.vanishes for part in cross(along, corner))
+    if all(part.vanishes for part in cross(along, corner)):
+        return True
+    rows = np.stack([part.ball().middle.ravel() for part in along], axis=-1)
+    first = np.array([part.ball().middle.ravel()[0] for part in corner])
+    sines = np.linalg.norm(np.cross(rows, first), axis=-1)
+    return bool((sines <= _ROUNDED * np.linalg.norm(rows, axis=-1) * np.linalg.norm(first)).all())
 
 
 def _side(form: Form, axis: int, end: float) -> Form:

@@ -232,7 +232,7 @@ class Prover:
         return replace(worst, claim=claim.text, boxes=boxes)
 
     def _developable(self, claim: Claim) -> Verdict:
-        verdict = self._settled(claim, MEASURES["gaussian"].problem, False, _ZERO)
+        verdict = self._settled(replace(claim, measure=MEASURES["gaussian"]), gauss_sign, True, _ZERO)
         note = "K vanishes as a polynomial, coefficient by coefficient" if verdict.verdict == "proved" else ""
         return replace(verdict, notes=(note, *self._edge_notes()) if note else self._edge_notes())
 

@@ -92,7 +92,8 @@ def settle(
         if _refuted(now, whole, enclose, wanted, outside, edges, found):
             return found
         narrow = (now.high - now.low).max(axis=1) <= NARROWEST
-        narrow |= (np.abs(now.middle[:, 0]) <= now.radius[:, 0]).all(axis=(1, 2))  # nothing but rounding is left
+        if now.middle.shape[1] == 1:  # a sign, of which nothing but rounding may be left
+            narrow |= (np.abs(now.middle[:, 0]) <= now.radius[:, 0]).all(axis=(1, 2))
         if narrow.any() or found.boxes + len(waiting) + 2 * len(now) > most:
             found.touching |= bool(((now.high - now.low).max(axis=1) <= _DEEP).any() | narrow.any())
             give_up = narrow if found.boxes + len(waiting) + 2 * len(now) <= most else np.ones(len(now), dtype=np.bool_)
