@@ -12,13 +12,14 @@ import platform  # noqa: E402
 from importlib.metadata import version  # noqa: E402
 from pathlib import Path  # noqa: E402
 
-from bench import accuracy, integrals, kept, peers, speed, startup, sweeps  # noqa: E402
+from bench import accuracy, integrals, kept, peers, proofs, speed, startup, sweeps  # noqa: E402
 
 PARTS = {
     "accuracy": accuracy,
     "integrals": integrals,
     "speed": speed,
     "peers": peers,
+    "proofs": proofs,
     "sweeps": sweeps,
     "startup": startup,
 }

@@ -25,6 +25,7 @@ SLOW = frozenset(
         "mesh",
         "outputs",
         "plugins",
+        "proofs_many",
         "properties",
         "readme",
         "recipes",

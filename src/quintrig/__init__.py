@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     from quintrig.analysis.agreement import compare_methods as compare_methods
     from quintrig.analysis.extremes import find_extremes as find_extremes
     from quintrig.analysis.integrate import integrals as integrals
+    from quintrig.analysis.proofs import bounds as bounds
+    from quintrig.analysis.proofs import prove as prove
     from quintrig.analysis.sample import Sample as Sample
     from quintrig.analysis.sample import analyse as analyse
     from quintrig.analysis.stream import analyse_blocks as analyse_blocks
@@ -28,6 +30,8 @@ if TYPE_CHECKING:
     from quintrig.developables.unroll import unroll as unroll
     from quintrig.enclosures.convex_hull import check_curve_hull as check_curve_hull
     from quintrig.enclosures.convex_hull import check_hull as check_hull
+    from quintrig.enclosures.search import Bounds as Bounds
+    from quintrig.enclosures.verdicts import Verdict as Verdict
     from quintrig.exchange.export import export as export
     from quintrig.exchange.imports import open_model as open_model
     from quintrig.exchange.lines import write_lines as write_lines
@@ -79,7 +83,10 @@ _HOME = {
     "analysis.agreement": ("compare_methods",),
     "analysis.extremes": ("find_extremes",),
     "enclosures.convex_hull": ("check_curve_hull", "check_hull"),
+    "enclosures.search": ("Bounds",),
+    "enclosures.verdicts": ("Verdict",),
     "analysis.integrate": ("integrals",),
+    "analysis.proofs": ("bounds", "prove"),
     "analysis.summary": ("summarise",),
     "analysis.stream": ("analyse_blocks",),
     "quantities.classify": ("Thresholds",),

@@ -19,6 +19,9 @@ from numpy.typing import NDArray
 from quintrig.analysis.integrate import Integral, area_means, orientation
 from quintrig.analysis.sample import analyse
 from quintrig.analysis.singular_edges import Limit, limits
+from quintrig.enclosures.measures import MEASURES
+from quintrig.enclosures.prove import NoProofError, Prover
+from quintrig.enclosures.search import Bounds
 from quintrig.geometry.domain import face_grid
 from quintrig.geometry.surface import Surface
 from quintrig.geometry.trimmed import along, window
@@ -85,6 +88,7 @@ class Extremes:
 
     ``mean`` is ∫q dA / ∫dA over the points where q is defined, with its measured error; ``grid_mean`` the plain mean of
     the samples, which depends on the parametrisation. ``undefined`` of the ``samples`` are NaN or infinite.
+    ``certified`` surely encloses both extremes, where it was asked for and there is a proof.
     """
 
     key: str
@@ -95,17 +99,19 @@ class Extremes:
     samples: int
     undefined: int
     orientation: str
+    certified: Bounds | None = None
 
 
 def find_extremes(
     surface: Surface,
     keys: Sequence[str] | str = ("gaussian", "mean", "k1", "k2", "shape_index", "curvedness"),
     samples: int = 65,
+    certified: bool = False,
 ) -> dict[str, Extremes]:
     """Return minimum, maximum and mean of scalar quantities, by key; ``samples`` a side are refined.
 
-    ``keys`` may be symbols, or a single one. Raises ValueError for an unknown or vector quantity, or fewer than 2
-    samples.
+    ``keys`` may be symbols, or a single one. ``certified`` adds bounds that are proved, for quantities and surfaces
+    that have a proof. Raises ValueError for an unknown or vector quantity, or fewer than 2 samples.
     """
     keys = [quantity(key).key for key in ([keys] if isinstance(keys, str) else keys)]
     means = area_means(surface, keys)
@@ -118,10 +124,17 @@ def find_extremes(
         values = _without_rounding(sample[key], curved, surface.size, key)[inside]
         defined = np.isfinite(values)
         mean = float(values[defined].mean()) if defined.any() else np.nan
-        results[key] = Extremes(
-            key, *found[key], means[key], mean, values.size, int((~defined).sum()), orientation(surface)
-        )
+        bounds = _bounds(surface, key) if certified else None
+        missing = int((~defined).sum())
+        results[key] = Extremes(key, *found[key], means[key], mean, values.size, missing, orientation(surface), bounds)
     return results
+
+
+def _bounds(surface: Surface, key: str) -> Bounds | None:
+    try:
+        return Prover(surface).bounds(key, most=256) if key in MEASURES else None
+    except NoProofError:
+        return None
 
 
 def find_ends(surface: Surface, keys: Sequence[str], samples: int = 65) -> dict[str, tuple[Extreme, Extreme]]:

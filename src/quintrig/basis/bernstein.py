@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
+from quintrig.basis import exact_forms
 from quintrig.basis.functions import MOVING, Functions, Still
 from quintrig.basis.rational import TangentMap, elevated
 from quintrig.support import taylor
@@ -68,6 +69,10 @@ class Bernstein(Functions):
     def numerators(self, to: TangentMap, degree: int) -> FloatArray:
         """Return the coefficients (n, size) in ``degree``; the common weights themselves for the constant."""
         return to.weights(degree)[:, None] if self.size == 1 else elevated(np.eye(self.size), degree)
+
+    def exact(self) -> tuple[exact_forms.Span, ...]:
+        """Return the functions span by span as forms with exact coefficients."""
+        return exact_forms.bernstein(self.degree)
 
 
 @dataclass(frozen=True)

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from quintrig.basis import exact_forms
 from quintrig.basis.functions import Functions
 from quintrig.basis.rational import HIGHEST_DEGREE, NotRationalError, RationalFunctions, TangentMap, clamped_knots
 from quintrig.support.arrays import FloatArray, frozen, parameter
@@ -91,6 +92,10 @@ class BSpline(Functions):
     def rational(self) -> RationalFunctions:
         """Return the functions themselves, which are polynomials span by span."""
         return RationalFunctions(self.knots, self.degree, TangentMap(), np.ones(self.size), np.eye(self.size))
+
+    def exact(self) -> tuple[exact_forms.Span, ...]:
+        """Return the functions span by span as forms with exact coefficients."""
+        return exact_forms.bspline(self.knots, self.degree)
 
     def rational_degree(self) -> int:
         """Refuse to be one part of several, whose spans would differ: NotRationalError."""

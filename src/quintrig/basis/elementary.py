@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from quintrig.basis import exact_forms
 from quintrig.basis.functions import Functions
 from quintrig.basis.rational import TangentMap, arc_power, bernstein_product, elevated, shared
 from quintrig.support import taylor
@@ -59,6 +60,10 @@ class Circular(Functions):
         quarter = Circular(start, start + turn).derivatives([0.0, 0.5, 1.0], 0)[0]
         rest = arc_power(math.cos(0.25 * math.pi * abs(turn)), degree - 2)
         return np.stack([bernstein_product(rest, quarter[:, i]) for i in range(2)], axis=-1)
+
+    def exact(self) -> tuple[exact_forms.Span, ...]:
+        """Return the functions span by span as exact forms; NotRationalError for part of a right angle."""
+        return exact_forms.circular(self.start, self.end)
 
 
 @dataclass(frozen=True)
@@ -114,6 +119,10 @@ class Powers(Functions):
         if self.size == 1:
             return to.weights(degree)[:, None]
         return np.stack([self._power(k, degree) for k in range(self.size)], axis=-1)
+
+    def exact(self) -> tuple[exact_forms.Span, ...]:
+        """Return the functions span by span as forms with exact coefficients."""
+        return exact_forms.powers(self.start, self.end, self.degree)
 
     def _power(self, k: int, degree: int) -> FloatArray:
         a, b = self.start, self.end

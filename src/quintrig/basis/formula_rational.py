@@ -62,11 +62,11 @@ def _unit(to: TangentMap) -> Form:
 def _rates(trees: Sequence[Node], parameters: Mapping[str, float]) -> set[float]:
     """Return the k of all sin(kt) and sin(kr)."""
     moving = [node for node in ordered(trees) if isinstance(node, Call) and set(names(node)) & {"t", "r"}]
-    ends = [_linear(node, parameters) for node in moving]
+    ends = [linear(node, parameters) for node in moving]
     return {abs(end[0] or end[1]) for end in ends if end}
 
 
-def _linear(node: Call, parameters: Mapping[str, float]) -> tuple[float, float] | None:
+def linear(node: Call, parameters: Mapping[str, float]) -> tuple[float, float] | None:
     """Return the argument's values at t = 0 and 1 where the call is sin(kt) or sin(kr), |k| < π/2, else None."""
     try:
         form = _forms([node.argument], parameters, TangentMap())[0]
@@ -124,7 +124,7 @@ def _binary(node: Binary, x: Form, y: Form, unit: Form) -> Form:
 def _called(node: Call, x: Form, parameters: Mapping[str, float]) -> Form:
     if len(x) == 1:
         return called(node.function, x)
-    ends = _linear(node, parameters)
+    ends = linear(node, parameters)
     if ends is None:
         raise NotRationalError("they hold other functions of t than sines of one angle")
     return np.sign(ends)

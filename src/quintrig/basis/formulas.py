@@ -7,7 +7,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quintrig.basis import formula_rational
+from quintrig.basis import formula_exact, formula_rational
+from quintrig.basis.exact_forms import Span
 from quintrig.basis.expression import series, values_of
 from quintrig.basis.formula_checks import check_values, sums
 from quintrig.basis.functions import MOVING, Functions, Still
@@ -264,3 +265,7 @@ class Formulas(Functions):
     def numerators(self, to: TangentMap, degree: int) -> FloatArray:
         """Return the numerators' coefficients (n, size) in ``degree`` over the common weights of ``to``."""
         return formula_rational.numerators(self.basis.trees, self.parameters, to, degree)
+
+    def exact(self) -> tuple[Span, ...]:
+        """Return the functions as forms with exact coefficients; NotRationalError where they are none."""
+        return formula_exact.spans(self.basis.trees, self.parameters, self.tangent_map())

@@ -5,13 +5,16 @@ to, its knots, its exact rational form. Who uses it asks it, and never which one
 """
 
 from collections.abc import Mapping
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from quintrig.basis.rational import NotRationalError, RationalFunctions, TangentMap, assembled
 from quintrig.support.arrays import FloatArray
+
+if TYPE_CHECKING:
+    from quintrig.basis.exact_forms import Span
 
 Still = tuple[bool, bool]
 """Whether a curve or surface stands still at t = 0, and at t = 1."""
@@ -126,3 +129,7 @@ class Functions(Protocol):
     def numerators(self, to: TangentMap, degree: int) -> FloatArray:
         """Return the numerators' coefficients (n, size) in ``degree`` over the common weights of ``to``."""
         raise NotRationalError(f"{type(self).__name__.lower()} functions have no exact rational form")
+
+    def exact(self) -> "tuple[Span, ...]":
+        """Return the functions span by span as forms with exact coefficients; NotRationalError where they are none."""
+        raise NotRationalError(f"{self.label or type(self).__name__.lower()} functions are no exact forms")

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from quintrig.basis import exact_forms
 from quintrig.basis.functions import MOVING, Functions, Still
 from quintrig.basis.rational import RationalFunctions, assembled
 from quintrig.support.arrays import FloatArray
@@ -66,3 +67,7 @@ class Joined(Functions):
     def rational(self) -> RationalFunctions:
         """Return the exact rational form over common weights; NotRationalError where the parts have none in common."""
         return assembled(self.parts)
+
+    def exact(self) -> tuple[exact_forms.Span, ...]:
+        """Return the functions span by span as exact forms; NotRationalError without a common one."""
+        return exact_forms.joined([part.exact() for part in self.parts])

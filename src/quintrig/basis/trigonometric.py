@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from quintrig.basis import exact_forms
 from quintrig.basis.elementary import sin_cos
 from quintrig.basis.functions import MOVING, Functions, Still
 from quintrig.basis.rational import RIGHT_ANGLE, TangentMap, circle_weights
@@ -164,6 +165,10 @@ class Trigonometric(Functions):
         """Return the numerators' coefficients (n, 6) in degree 8 or 10 over the common weights of ``to``."""
         control = degree_eight(np.eye(6)) if degree == 8 else degree_ten(np.eye(6), self.alpha, self.zeta)
         return control * to.weights(degree)[:, None]
+
+    def exact(self) -> tuple[exact_forms.Span, ...]:
+        """Return the functions span by span as forms with exact coefficients."""
+        return exact_forms.trigonometric(self.alpha, self.zeta)
 
 
 def shape_parameter(value: float, name: str, unchecked: bool = False) -> float:

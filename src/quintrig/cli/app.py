@@ -25,6 +25,7 @@ from quintrig.cli import (
     new,
     patches,
     plot,
+    prove,
     report,
     reproduce,
     schema,
@@ -46,7 +47,7 @@ _EPILOG = "\n".join(
         "  [cyan]quintrig check lid.toml[/cyan]",
         "  [cyan]quintrig report lid.toml out/lid[/cyan]",
         "",
-        "[dim]Exit codes: 0 done; 1 check --strict found problems; 2 a mistake in the command or the model; "
+        "[dim]Exit codes: 0 done; 1 check or prove --strict found problems; 2 a mistake in the command or the model; "
         "70 a fault in quintrig; 130 interrupted, 143 terminated.[/dim]",
     )
 )
@@ -69,6 +70,7 @@ def build() -> typer.Typer:
         table,
         grid,
         plot,
+        prove,
         report,
         compare,
         view,

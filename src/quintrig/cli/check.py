@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 _EPILOG = session.examples(
     ("quintrig check lid.toml", "tells kind, size, shape parameters, normal, curvature and warnings"),
+    ("quintrig check lid.toml --prove", "also what is proved of the whole surface, such as K > 0"),
     ("quintrig check --strict models/*.toml", "fails, with exit code 1, where there is a warning"),
 )
 
@@ -37,6 +38,9 @@ def check(
     ],
     whole: Whole = False,
     strict: Annotated[bool, typer.Option("--strict", help="Exit with 1 where there are warnings.")] = False,
+    prove: Annotated[
+        bool, typer.Option("--prove", help="Prove where it is regular, the sign of K, and bounds of K and H.")
+    ] = False,
 ) -> None:
     """Check models, and tell in a few lines what each is and what to beware of.
 
@@ -50,7 +54,7 @@ def check(
         if index:
             session.emit("")
         try:
-            warnings += _tell(path, session.load_any(path, whole=whole), console)
+            warnings += _tell(path, session.load_any(path, whole=whole), console, prove)
         except ModelError as error:
             session.complain(str(error))
             mistakes += 1
@@ -60,14 +64,14 @@ def check(
         raise typer.Exit(FOUND)
 
 
-def _tell(path: Path, model: "Model", console: "Console") -> int:
+def _tell(path: Path, model: "Model", console: "Console", prove: bool) -> int:
     """Print what a model is; return the number of warnings."""
     from rich.markup import escape
 
     console.print(
         f"[bold]{escape(printable(model.name))}[/bold]  [dim]{escape(printable(str(path)))}[/dim]", soft_wrap=True
     )
-    warnings = sum(_tell_patch(patch, model, console) for patch in model.patches) + _tell_seams(model, console)
+    warnings = sum(_tell_patch(patch, model, console, prove) for patch in model.patches) + _tell_seams(model, console)
     if model.curves:
         from quintrig.cli.curves import tell_curve
 
@@ -93,7 +97,7 @@ def _tell_seams(model: "Model", console: "Console") -> int:
     return len(joins.warnings)
 
 
-def _tell_patch(patch: "Patch", model: "Model", console: "Console") -> int:
+def _tell_patch(patch: "Patch", model: "Model", console: "Console", prove: bool) -> int:
     from rich.markup import escape
 
     from quintrig.analysis.summary import summarise
@@ -102,6 +106,8 @@ def _tell_patch(patch: "Patch", model: "Model", console: "Console") -> int:
     if len(model.patches) + len(model.curves) > 1:
         console.print(f"  [bold]{escape(patch.name)}[/bold]")
     for name, value in _facts(patch, model.unit, summary):
+        console.print(f"  [cyan]{name:<10}[/cyan]{escape(value)}", soft_wrap=True)
+    for name, value in _proofs(patch, model.unit) if prove else ():
         console.print(f"  [cyan]{name:<10}[/cyan]{escape(value)}", soft_wrap=True)
     for warning in summary.warnings:
         console.print(f"  [yellow]warning   {escape(warning)}[/yellow]", soft_wrap=True)
@@ -127,6 +133,17 @@ def _facts(patch: "Patch", unit: str, summary: "Summary") -> list[tuple[str, str
     facts.append(("normal", _normal(patch, summary)))
     facts.append(("curvature", "; ".join(_range(key, unit, summary) for key in ("gaussian", "mean"))))
     return facts
+
+
+def _proofs(patch: "Patch", unit: str) -> list[tuple[str, str]]:
+    """Return the lines that tell what is proved of all of a patch."""
+    from quintrig.analysis.certified import certify, ranges
+
+    found = certify(patch.surface, unit)
+    if found.reason:
+        return [("proof", found.reason)]
+    lines = [("proof", sentence) for sentence in found.sentences]
+    return [*lines, *(("certified", line) for line in ranges(found))]
 
 
 def _kind(patch: "Patch") -> str:

@@ -64,6 +64,10 @@ def sweep(
     best: Annotated[str, typer.Option(metavar="COLUMN", help="Order by this column, least first.")] = "",
     greatest: Annotated[bool, typer.Option("--greatest", help="Greatest first instead.")] = False,
     top: Annotated[int, typer.Option(help="How many designs to list.")] = 10,
+    prove: Annotated[
+        list[str] | None,
+        typer.Option(metavar="CLAIM", help="Prove this of each design listed, as 'gaussian >= 0'. Repeatable."),
+    ] = None,
     plot: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Parallel coordinates of the designs found: .png, .svg or .pdf.")
     ] = None,
@@ -78,7 +82,7 @@ def sweep(
     from quintrig.sweep.query import Question
     from quintrig.sweep.store import load_sweep
 
-    question = Question(where, best, greatest)
+    question, claims = Question(where, best, greatest), prove or []
     if top < 1:
         raise ValueError(f"--top: expected 1 or more, got {top}")
     if plot is not None:
@@ -87,13 +91,22 @@ def sweep(
         if vary or output:
             raise ValueError(f"{model}: is a folder, whose sweep is asked as it is; leave out --vary and -o")
         found = load_sweep(model)
+        _check_claims(found, claims)
     else:
         found = _begun(model, vary or [], output, sampling, samples, seed, points=points, patch=patch)
         question.check(found.task)  # before the work, not after it
+        _check_claims(found, claims)
         if found.repaired:
             session.remark(f"{found.folder}: {', '.join(found.repaired)} damaged; made anew")
         _run(found, scheduler)
-    _answer(found, question, top, plot)
+    _answer(found, question, top, plot, claims, scheduler)
+
+
+def _check_claims(found: "Sweep", claims: list[str]) -> None:
+    if claims:
+        from quintrig.sweep.proofs import check_claims
+
+        check_claims(found, claims)
 
 
 def _check_picture(file: Path) -> None:
@@ -159,7 +172,9 @@ def _run(sweep: "Sweep", scheduler: str | None) -> None:
     session.messages().print(said, markup=False)
 
 
-def _answer(found: "Sweep", question: "Question", top: int, plot: Path | None) -> None:
+def _answer(
+    found: "Sweep", question: "Question", top: int, plot: Path | None, claims: list[str], scheduler: str | None
+) -> None:
     """List the designs asked for, and draw them."""
     from quintrig.sweep.query import count, select
     from quintrig.sweep.refine import select_refined
@@ -176,6 +191,8 @@ def _answer(found: "Sweep", question: "Question", top: int, plot: Path | None) -
         session.emit(_told(refined, found.task.points))
     if len(next(iter(refined.rows.values()))):
         _list(refined.rows, found)
+        if claims:
+            _proved(found, refined, claims, scheduler)
     if plot is not None:
         from quintrig.figure.parallel import parallel_coordinates
         from quintrig.figure.save import save
@@ -188,6 +205,18 @@ def _answer(found: "Sweep", question: "Question", top: int, plot: Path | None) -
         names = found.task.space.names
         replaced = plot.is_file()
         session.wrote(save(parallel_coordinates(rows, names, surface, best=question.best, unit=unit), plot), replaced)
+
+
+def _proved(found: "Sweep", refined: "Refined", claims: list[str], scheduler: str | None) -> None:
+    """Print what comes of claims on each of the designs listed."""
+    from quintrig.cli.prove import tell
+    from quintrig.sweep.proofs import prove_rows
+
+    console = session.output()
+    for index, verdicts in enumerate(prove_rows(found, refined.rows, claims, scheduler), 1):
+        console.print(f"design {index}")
+        for verdict in verdicts:
+            tell(verdict, console, "  ")
 
 
 def _told(refined: "Refined", side: int) -> str:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from quintrig.analysis.agreement import Agreement, compare_methods
+from quintrig.analysis.certified import Certified, certify
 from quintrig.analysis.sample import analyse
 from quintrig.analysis.summary import Summary, summarise
 from quintrig.analysis.table import Table, tabulate
@@ -57,6 +58,7 @@ class Facts:
     summary: Summary
     agreement: Agreement
     marks: tuple[Mark, ...]
+    certified: Certified
     points: Table
     variants: tuple[Variant, ...]
     middle: tuple[float, float, float]
@@ -71,7 +73,7 @@ def marks_of(surface: Surface) -> tuple[Mark, ...]:
 
 def steps(patch: Patch, detailed: bool) -> int:
     """Return how many steps ``gather`` reports."""
-    return 2 + (len(_others(patch)) if detailed else 0)
+    return 3 + (len(_others(patch)) if detailed else 0)
 
 
 def gather(patch: Patch, unit: str, thresholds: Thresholds, grid: int, detailed: bool, report: Report) -> Facts:
@@ -81,6 +83,8 @@ def gather(patch: Patch, unit: str, thresholds: Thresholds, grid: int, detailed:
     summary = summarise(surface, unit, thresholds, grid)
     report("comparison of the methods")
     agreement = compare_methods(surface, grid, grid, thresholds)
+    report("proofs")
+    certified = certify(surface, unit)
     marks = marks_of(surface)
     u, v = np.array([(mark.u, mark.v) for mark in marks]).T
     points = tabulate(surface, u, v, tuple(BY_KEY), unit=unit, thresholds=thresholds)
@@ -96,7 +100,8 @@ def gather(patch: Patch, unit: str, thresholds: Thresholds, grid: int, detailed:
     over = face_grid(surface, grid, grid)
     upright = analyse(surface, *over, ("normal",)).normal[..., 2]
     steep = bool(((np.abs(upright) < _STEEP) & surface.inside(*over)).any())
-    return Facts(patch, unit, thresholds, summary, agreement, marks, points, tuple(variants), (x, y, z), steep)
+    found = (summary, agreement, marks, certified, points, tuple(variants))
+    return Facts(patch, unit, thresholds, *found, (x, y, z), steep)
 
 
 def has_effect(patch: Patch) -> bool:

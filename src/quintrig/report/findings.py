@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from markupsafe import Markup
 
 from quintrig.analysis.agreement import REASONS, Agreement
+from quintrig.analysis.certified import ranges
 from quintrig.analysis.extremes import Extreme
 from quintrig.analysis.summary import Summary
 from quintrig.developables.regression import inner_regression
@@ -33,7 +34,14 @@ def findings(facts: Facts) -> tuple[Markup, ...]:
     """Return the key findings, one or two sentences each."""
     if facts.summary.singular.count == facts.summary.singular.samples:
         return (Markup("The surface has no tangent plane anywhere, so nothing can be said of its curvature."),)
-    told = [*_shape(facts), *_bend(facts.summary), *_range(facts.summary), methods(facts.agreement), *_effect(facts)]
+    told = [
+        *_shape(facts),
+        *_bend(facts.summary),
+        *_range(facts.summary),
+        *_proved(facts),
+        methods(facts.agreement),
+        *_effect(facts),
+    ]
     return tuple(told)
 
 
@@ -111,6 +119,16 @@ def _range(summary: Summary) -> Iterator[Markup]:
     alike = high - low <= 1e-9 * max(abs(high), abs(low))
     spread = Markup("is {} everywhere").format(measure(high, unit, 3)) if alike else "runs " + span(low, high, unit)
     yield Markup("{}; the Gaussian curvature {}.").format(sentence, spread)
+
+
+def _proved(facts: Facts) -> Iterator[Markup]:
+    """Return what holds on the whole patch and not only at samples."""
+    told = [line[0].upper() + line[1:] for line in facts.certified.sentences[:2]]
+    bounds = ranges(facts.certified)
+    if bounds:
+        told.append(f"Certified bounds: {listed(bounds)}")
+    if told:
+        yield prose(". ".join(told) + ".")
 
 
 def methods(found: Agreement) -> Markup:

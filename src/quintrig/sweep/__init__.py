@@ -1,6 +1,7 @@
 """Sweeps: every design of a space of shape parameters, each to a row of summaries, in files that can be queried."""
 
 from quintrig.sweep.part import Task as Task
+from quintrig.sweep.proofs import prove_rows as prove_rows
 from quintrig.sweep.query import Question as Question
 from quintrig.sweep.query import count as count
 from quintrig.sweep.query import select as select

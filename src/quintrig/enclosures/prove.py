@@ -1,0 +1,273 @@
+"""Claims on a surface, decided: forms of each chart, in doubles with bounds first, exactly where these do not tell."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from quintrig.basis.rational import NotRationalError
+from quintrig.enclosures import hulls, strips
+from quintrig.enclosures.ball import Ball, Edges
+from quintrig.enclosures.boxes import Boxes, Enclose
+from quintrig.enclosures.charts import Chart, charts
+from quintrig.enclosures.claims import Claim, read
+from quintrig.enclosures.faces import outside
+from quintrig.enclosures.measures import MEASURES, REGULAR, UPRIGHT, Measure, gauss_sign, saddle_sign
+from quintrig.enclosures.poles import apex
+from quintrig.enclosures.search import Bounds, Range, Search, enclosed, settle
+from quintrig.enclosures.shape import Form, Shape
+from quintrig.enclosures.verdicts import Region, Verdict, Witness
+from quintrig.enclosures.whole import InexactError, Whole
+from quintrig.geometry.envelope import Envelope
+from quintrig.geometry.surface import Surface
+from quintrig.support.arrays import FloatArray
+
+MOST = 1024
+"""Most boxes of one claim on one chart."""
+
+_FOR_BOUNDS = 256
+
+_ZERO, _SADDLE = Range(0.0, 0.0), Range(high=0.0)
+_TOO_FLAT = "these boxes hold neither a proof nor a place where the claim fails; more boxes may settle it"
+_TOUCHES = "the quantity comes too near to the bound there to be told from it"
+
+
+class NoProofError(ValueError):
+    """A surface that has no proof: its functions are neither polynomials nor forms of one angle."""
+
+
+@dataclass(frozen=True, eq=False)
+class Prover:
+    """Proofs about one surface, with ``most`` boxes a claim and chart; forms are kept from claim to claim."""
+
+    surface: Surface
+    unit: str = ""
+    most: int = MOST
+
+    def __post_init__(self) -> None:
+        """Split the surface into charts once; NoProofError where it has none."""
+        _ = self._each
+
+    @cached_property
+    def _each(self) -> list[tuple[Chart, Shape, Shape]]:
+        if isinstance(self.surface.rows, Envelope):
+            return []
+        try:
+            found = list(charts(self.surface))
+        except (NotRationalError, AttributeError) as error:
+            raise NoProofError(f"no proof for this surface, whose curvature can only be sampled: {error}") from None
+        return [(chart, Shape(chart, Ball), Shape(chart, Whole)) for chart in found]
+
+    def prove(self, text: str | Claim, bounds: bool = False) -> Verdict:
+        """Return what comes of a claim; with ``bounds`` also what encloses the quantity's values. ValueError."""
+        claim = read(text, self.unit) if isinstance(text, str) else text
+        if isinstance(self.surface.rows, Envelope):
+            return replace(strips.prove(self.surface, claim, self.most), unit=self.named_unit(claim.measure))
+        ways: dict[str, Callable[[Claim], Verdict]] = {
+            "regular": self._regular,
+            "no fold": self._regular,
+            "convex": self._convex,
+            "developable": self._developable,
+            "inside hull": self._inside_hull,
+        }
+        verdict = ways[claim.word](claim) if claim.word else self._compared(claim, bounds)
+        return replace(verdict, unit=self.named_unit(claim.measure))
+
+    def bounds(
+        self, key: str, tolerance: float = 1e-3, direction: FloatArray = UPRIGHT, most: int | None = None
+    ) -> Bounds:
+        """Return what encloses the least and the greatest value of a quantity, to ``tolerance`` times the larger.
+
+        Of a radius of curvature, which may be infinite, the least alone is sought.
+        """
+        measure, most = MEASURES[key], most or self.most
+        if isinstance(self.surface.rows, Envelope):
+            found = strips.bounds(self.surface, measure, tolerance, most, direction)
+        else:
+            starts = [
+                (*self._start(measure.problem, shape, direction), outside(self.surface, chart))
+                for chart, shape in self._shapes(False)
+            ]
+            found = enclosed(starts, tolerance, most * len(starts), (True, key != "curvature_radius"))
+        return replace(found, unit=self.named_unit(measure))
+
+    def _shapes(self, sign_only: bool) -> Iterator[tuple[Chart, Shape]]:
+        """Yield the forms of each chart: exact ones where a factor on an edge may be common to a quotient."""
+        for chart, balls, wholes in self._each:
+            shape = balls
+            if not sign_only and any(balls.both) and balls.hidden:
+                try:
+                    shape = wholes if wholes.gauss else balls
+                except InexactError:
+                    shape = balls
+            yield chart, shape
+
+    def _start(
+        self, problem: Callable[..., tuple[list[Form], Enclose]], shape: Shape, direction: FloatArray
+    ) -> tuple[Boxes, Enclose]:
+        forms, enclose = problem(shape, self.surface.sign, direction)
+        return Boxes.whole([form.ball() for form in forms]), enclose
+
+    def named_unit(self, measure: Measure | None) -> str:
+        """Return the unit of a quantity in text."""
+        if measure is None or measure.degrees:
+            return "deg" if measure else ""
+        return {1: "{}", -1: "1/{}", -2: "1/{}²"}[measure.power].format(self.unit) if self.unit else ""
+
+    def _compared(self, claim: Claim, bounds: bool) -> Verdict:
+        measure = claim.measure
+        assert measure
+        verdict = Verdict("proved", claim.text, 0)
+        if not claim.sought:
+            zero = {claim.range.low, claim.range.high} <= {0.0, np.inf, -np.inf}
+            problem = measure.sign_only if zero and measure.sign_only else measure.problem
+            verdict = self._settled(claim, problem, problem is measure.sign_only, claim.range)
+        if bounds or claim.sought:
+            found = self.bounds(measure.key, direction=claim.direction, most=min(self.most, _FOR_BOUNDS))
+            boxes = verdict.boxes + (found.boxes if claim.sought else 0)
+            verdict = replace(verdict, bounds=(found.minimum[0], found.maximum[1]), boxes=boxes)
+            if not found.complete:
+                verdict = replace(verdict, notes=(*verdict.notes, "the bounds hold, but are not tight to 1e-3"))
+        return replace(verdict, notes=(*verdict.notes, *self._edge_notes()))
+
+    def _settled(
+        self, claim: Claim, problem: Callable[..., tuple[list[Form], Enclose]], sign_only: bool, wanted: Range
+    ) -> Verdict:
+        """Return what comes of a quantity being in a range on every chart."""
+        boxes, regions = 0, list[Region]()
+        for index, (chart, shape) in enumerate(self._shapes(sign_only)):
+            found = Search()
+            ways = [(shape, False), (self._each[index][2], False), (self._each[index][2], True)]
+            for arithmetic, split in ways:
+                try:
+                    found = self._searched(chart, arithmetic, split, problem, claim, wanted)
+                except InexactError:
+                    continue
+                boxes += found.boxes
+                if found.place or not found.touching:  # exactness does not help where boxes ran out
+                    break
+            if found.place:
+                witness = self._witness(chart, found, claim, self._each[index][1:])
+                return Verdict("refuted", claim.text, boxes, witness)
+            regions += _regions(chart, found)
+        if regions:
+            narrow = all(max(r.u[1] - r.u[0], r.v[1] - r.v[0]) < 1e-6 for r in regions)
+            why = _TOUCHES if narrow else _TOO_FLAT
+            return Verdict("undecided", claim.text, boxes, None, None, tuple(regions), why)
+        return Verdict("proved", claim.text, boxes)
+
+    def _searched(
+        self,
+        chart: Chart,
+        shape: Shape,
+        split: bool,
+        problem: Callable[..., tuple[list[Form], Enclose]],
+        claim: Claim,
+        wanted: Range,
+    ) -> Search:
+        """Return what comes of one chart; with ``split`` it is cut into quarters before its forms are rounded."""
+        if problem is gauss_sign and wanted == _SADDLE and self._saddle(shape):
+            return Search(1)
+        forms, enclose = problem(shape, self.surface.sign, claim.direction)
+        away = outside(self.surface, chart)
+        if not split:
+            return settle(Boxes.whole([f.ball() for f in forms]), enclose, wanted, self.most, away, shape.both)
+        result = Search()
+        for i, j in ((0, 0), (0, 1), (1, 0), (1, 1)):
+            parts = [form.halves(0)[i].halves(1)[j].ball() for form in forms]
+            part = Boxes.whole(parts, (0.5 * i, 0.5 * j), 0.5)
+            found = settle(part, enclose, wanted, self.most, away, shape.both)
+            result.boxes += found.boxes
+            if found.place:
+                found.boxes = result.boxes
+                return found
+            result.open += found.open
+            result.touching |= found.touching
+        return result
+
+    def _saddle(self, shape: Shape) -> bool:
+        """Return whether K <= 0 because λν <= 0, as on ruled surfaces, where P is minus a square."""
+        whole, enclose = self._start(saddle_sign, shape, UPRIGHT)
+        found = settle(whole, enclose, _SADDLE, 1)
+        return not found.place and not found.open
+
+    def _witness(self, chart: Chart, found: Search, claim: Claim, shapes: tuple[Shape, Shape] | None = None) -> Witness:
+        """Return the place with the quantity's value there, which the sign of a form alone does not give."""
+        assert found.place
+        u, v = (float(part) for part in chart.parameters(*(np.array(part) for part in found.place)))
+        low, high = found.low, found.high
+        if shapes and claim.measure:
+            for shape in shapes:
+                try:
+                    whole, enclose = self._start(claim.measure.problem, shape, claim.direction)
+                except InexactError:
+                    continue
+                low, high = (float(end[0]) for end in enclose(*whole.at(*found.place)))
+                if np.isfinite([low, high]).all():
+                    break
+        return Witness(u, v, tuple(self.surface(u, v).tolist()), 0.5 * (low + high))
+
+    def _regular(self, claim: Claim) -> Verdict:
+        verdict = self._settled(claim, REGULAR.problem, True, Range(0.0, np.inf, (True, False)))
+        if verdict.verdict == "proved" and claim.word == "regular":
+            for chart, balls, wholes in self._each:
+                if any(_collapsing(balls)):
+                    place = apex(chart, wholes)
+                    if place:
+                        witness = self._witness(chart, Search(place=place, low=0.0, high=0.0), claim)
+                        return replace(verdict, verdict="refuted", witness=witness)
+        return replace(verdict, notes=self._edge_notes())
+
+    def _convex(self, claim: Claim) -> Verdict:
+        first = self.prove("gaussian >= 0")
+        if first.verdict != "proved":
+            return replace(first, claim=claim.text)
+        ways = [self.prove(f"mean {sign} 0") for sign in (">=", "<=")]
+        best = next((one for one in ways if one.verdict == "proved"), None)
+        boxes = first.boxes + sum(one.boxes for one in ways)
+        if best is not None:
+            return replace(best, claim=claim.text, boxes=boxes)
+        worst = next((one for one in ways if one.verdict == "undecided"), ways[0])
+        return replace(worst, claim=claim.text, boxes=boxes)
+
+    def _developable(self, claim: Claim) -> Verdict:
+        verdict = self._settled(replace(claim, measure=MEASURES["gaussian"]), gauss_sign, True, _ZERO)
+        note = "K vanishes as a polynomial, coefficient by coefficient" if verdict.verdict == "proved" else ""
+        return replace(verdict, notes=(note, *self._edge_notes()) if note else self._edge_notes())
+
+    def _inside_hull(self, claim: Claim) -> Verdict:
+        return hulls.prove(self.surface, claim.text, self.most)
+
+    def _edge_notes(self) -> tuple[str, ...]:
+        """Return what to know of edges along which a tangent vanishes."""
+        told: dict[str, None] = {}
+        for chart, balls, _ in self._each:
+            for edges, name in zip(balls.factors, ("S_u", "S_v"), strict=True):
+                for power, edge in zip(edges, _edges(chart), strict=True):
+                    if power:
+                        told[
+                            f"{name} vanishes along {edge}: its factor is divided out, and the proof is of the rest; "
+                            "on the edge the normal is the limit, and curvature may be without bound beside it"
+                        ] = None
+        return tuple(told)
+
+
+def _edges(chart: Chart) -> tuple[str, str, str, str]:
+    ends = (("u", chart.u.span.start), ("u", chart.u.span.end), ("v", chart.v.span.start), ("v", chart.v.span.end))
+    a, b, c, d = (f"{name} = {value:g}" for name, value in ends)
+    return a, b, c, d
+
+
+def _collapsing(shape: Shape) -> Edges:
+    """Return at which edges all of the edge is one point: where the tangent along it vanishes."""
+    first, second = shape.factors
+    return (second[0], second[1], first[2], first[3])
+
+
+def _regions(chart: Chart, found: Search) -> list[Region]:
+    low = np.array([box[:2] for box in found.open]).reshape(-1, 2)
+    high = np.array([box[2:] for box in found.open]).reshape(-1, 2)
+    u0, v0 = chart.parameters(low[:, 0], low[:, 1])
+    u1, v1 = chart.parameters(high[:, 0], high[:, 1])
+    return [Region((a, b), (c, d)) for a, b, c, d in zip(*(part.tolist() for part in (u0, u1, v0, v1)), strict=True)]
