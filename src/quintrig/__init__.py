@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from quintrig.enclosures.convex_hull import check_hull as check_hull
     from quintrig.exchange.export import export as export
     from quintrig.exchange.imports import open_model as open_model
+    from quintrig.exchange.scans import read_scan as read_scan
     from quintrig.figure.plot import plot as plot
     from quintrig.figure.style import Style as Style
     from quintrig.geometry.closed_forms import catenoid as catenoid
@@ -56,6 +57,9 @@ if TYPE_CHECKING:
     from quintrig.multipatch.find import find_joins as find_joins
     from quintrig.multipatch.joins import Joins as Joins
     from quintrig.quantities.classify import Thresholds as Thresholds
+    from quintrig.scan.deviation import Deviation as Deviation
+    from quintrig.scan.deviation import deviation as deviation
+    from quintrig.scan.scan import Scan as Scan
     from quintrig.support.errors import ModelError as ModelError
 
 __version__ = "0.1.0"
@@ -78,6 +82,9 @@ _HOME = {
     "developables.unroll": ("Sheet", "unroll"),
     "exchange.export": ("export",),
     "exchange.imports": ("open_model",),
+    "exchange.scans": ("read_scan",),
+    "scan.deviation": ("Deviation", "deviation"),
+    "scan.scan": ("Scan",),
     "support.errors": ("ModelError",),
     "model.model": ("Model", "load"),
     "model.save": ("save",),
@@ -104,6 +111,10 @@ _HOME = {
 }
 late.register("joins", lambda *args, **words: import_module("quintrig.multipatch.find").joins_of(*args, **words))
 late.register("hold", lambda *model: import_module("quintrig.multipatch.hold").hold(*model))
+late.register("open_model", lambda path: import_module("quintrig.exchange.imports").open_model(path))
+late.register("open_target", lambda *given: import_module("quintrig.exchange.scans").open_target(*given))
+late.register("sampled_target", lambda *given: import_module("quintrig.exchange.scans").sampled(*given))
+late.register("scan_suffixes", lambda: import_module("quintrig.exchange.scans").SUFFIXES)
 display.register(lambda value: import_module("quintrig.studio.notebook").bundle(value))
 _WHERE = {name: module for module, names in _HOME.items() for name in names}
 

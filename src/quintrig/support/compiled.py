@@ -35,6 +35,7 @@ SOURCES = (
     "support/tolerance",
     "kernel/outputs",
     "quantities/table",
+    "scan/nearest_jit",
     "sweep/summarise",
     "kernel/stores",
 )

@@ -9,6 +9,7 @@ EXTRAS = {
     "OCP": ("cad", "OpenCASCADE"),
     "rhino3dm": ("cad", "rhino3dm"),
     "meshio": ("mesh", "meshio"),
+    "trimesh": ("mesh", "trimesh"),
     "ezdxf": ("flat", "ezdxf"),
     "polars": ("sweep", "Polars"),
     "pyarrow": ("sweep", "pyarrow"),
