@@ -60,6 +60,8 @@ if TYPE_CHECKING:
     from quintrig.scan.deviation import Deviation as Deviation
     from quintrig.scan.deviation import deviation as deviation
     from quintrig.scan.scan import Scan as Scan
+    from quintrig.shaping.fit import fit as fit
+    from quintrig.shaping.fitting.result import Fit as Fit
     from quintrig.support.errors import ModelError as ModelError
 
 __version__ = "0.1.0"
@@ -85,6 +87,8 @@ _HOME = {
     "exchange.scans": ("read_scan",),
     "scan.deviation": ("Deviation", "deviation"),
     "scan.scan": ("Scan",),
+    "shaping.fit": ("fit",),
+    "shaping.fitting.result": ("Fit",),
     "support.errors": ("ModelError",),
     "model.model": ("Model", "load"),
     "model.save": ("save",),

@@ -63,6 +63,7 @@ def sampled(model: Model, unit: str = "", side: int = _FACE_SAMPLES) -> Scan:
     t = np.linspace(0.0, 1.0, side)
     points: list[FloatArray] = []
     normals: list[FloatArray] = []
+    at: list[FloatArray] = []
     for patch in model.patches:
         surface = patch.surface
         u, v = (grid.ravel() for grid in np.meshgrid(t, t, indexing="ij"))
@@ -71,7 +72,12 @@ def sampled(model: Model, unit: str = "", side: int = _FACE_SAMPLES) -> Scan:
         fine = np.isfinite(sample.normal).all(axis=1) & np.isfinite(sample.point).all(axis=1)
         points.append(np.array(sample.point)[fine])
         normals.append(np.array(sample.normal)[fine])
-    return scan_of(np.concatenate(points), np.concatenate(normals), unit=unit or model.unit, name=model.name)
+        at.append(np.stack([u[kept][fine], v[kept][fine]], axis=1))
+    found = scan_of(np.concatenate(points), np.concatenate(normals), unit=unit or model.unit, name=model.name)
+    if len(at) > 1 or len(at[0]) != len(found.points):
+        return replace(found, noisy=False)
+    low, span = at[0].min(axis=0), np.ptp(at[0], axis=0)
+    return replace(found, noisy=False, parameters=(at[0] - low) / np.where(span > 0.0, span, 1.0))
 
 
 def read_scan(path: str | Path, unit: str = "") -> Scan:

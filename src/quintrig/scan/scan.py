@@ -18,7 +18,8 @@ Triangles = NDArray[np.int64]
 class Scan:
     """Points (n, 2 or 3), length¹; unit ``normals`` (n, 3), ``triangles`` (m, 3) and ``weights`` (n,) where known.
 
-    ``notes`` tell what was left out when it was read.
+    ``notes`` tell what was left out when it was read. ``parameters`` (n, 2), from 0 to 1, are those of points taken from
+    one surface, which are exact and so not ``noisy``.
     """
 
     points: FloatArray
@@ -28,6 +29,8 @@ class Scan:
     unit: str = ""
     name: str = "scan"
     notes: tuple[str, ...] = ()
+    parameters: FloatArray | None = None
+    noisy: bool = True
 
     def __repr__(self) -> str:
         """Return one line: how many points and triangles, and the unit."""
@@ -51,6 +54,7 @@ class Scan:
             normals=None if self.normals is None else self.normals[kept],
             weights=None if self.weights is None else self.weights[kept],
             triangles=triangles,
+            parameters=None if self.parameters is None else self.parameters[kept],
         )
 
     def moved(self, motion: FloatArray) -> "Scan":
