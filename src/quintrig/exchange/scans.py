@@ -166,7 +166,17 @@ def _table(raw: bytes, path: Path) -> Scan:
         raise ModelError(f"{path}: {_told(str(error), skip)}") from None
     if not rows.size:
         raise ModelError(f"{path}: expected points, found no line of numbers")
-    return _columns(rows, names, path)
+    found = _columns(rows, names, path)
+    return _aerofoil(found) if path.suffix.lower() == ".dat" and found.points.shape[1] == 2 else found
+
+
+def _aerofoil(found: Scan) -> Scan:
+    """Return the points of an aerofoil, Selig's way or Lednicer's, whose first row tells how many are in each row."""
+    points = found.points
+    count = int(points[0].sum()) if len(points) > 4 and points[0].min() > 1.5 else 0
+    if count == len(points) - 1:
+        found = found.within(np.arange(len(points)) > 0)
+    return replace(found, outline=True, noisy=False)
 
 
 def _columns(rows: FloatArray, names: list[str], path: Path) -> Scan:

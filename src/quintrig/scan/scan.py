@@ -19,7 +19,8 @@ class Scan:
     """Points (n, 2 or 3), length¹; unit ``normals`` (n, 3), ``triangles`` (m, 3) and ``weights`` (n,) where known.
 
     ``notes`` tell what was left out when it was read. ``parameters`` (n, 2), from 0 to 1, are those of points taken from
-    one surface, which are exact and so not ``noisy``.
+    one surface, which are exact and so not ``noisy``. ``outline`` is true of
+    the points of an aerofoil.
     """
 
     points: FloatArray
@@ -31,6 +32,7 @@ class Scan:
     notes: tuple[str, ...] = ()
     parameters: FloatArray | None = None
     noisy: bool = True
+    outline: bool = False
 
     def __repr__(self) -> str:
         """Return one line: how many points and triangles, and the unit."""

@@ -10,10 +10,11 @@ from numpy.typing import ArrayLike
 from quintrig.geometry.curve import Curve
 from quintrig.model.model import Model
 from quintrig.scan.deviation import Deviation, Target, deviation, target_of
+from quintrig.scan.nearest import Finder
 from quintrig.scan.scan import Scan
 from quintrig.shaping.fitting import curves, solve
 from quintrig.shaping.fitting.forms import KINDS, Form, form_of
-from quintrig.shaping.fitting.mirror import mirror_of
+from quintrig.shaping.fitting.mirror import mirror_of, refined_mirror
 from quintrig.shaping.fitting.primitives import PRIMITIVES, fit_primitive
 from quintrig.shaping.fitting.result import Fit, ShapeValue
 from quintrig.shaping.fitting.start import border, parametrisations
@@ -162,7 +163,7 @@ class _Work:
         form, state = self._start()
         if grid != (1, 1):
             one = form
-            finder = solve.Finder(one.surfaces(state.q, state.theta))
+            finder = Finder(one.surfaces(state.q, state.theta))
             feet = finder.feet(self.data.some(_LAST).points)
             form = self._form(grid)
             data = self.data.some(_LAST)
@@ -295,7 +296,8 @@ def _mirror(kind: str, mirror: ArrayLike | None, scan: Scan) -> FloatArray | Non
             raise ValueError(f"mirror: belongs to a symmetric surface, not to kind {kind}")
         return None
     if mirror is None:
-        return mirror_of(scan.points)
+        free = fit(scan, "tensor")
+        return refined_mirror(Finder([free.model.surface]), scan.points[free.kept], mirror_of(scan.points))
     plane = frozen(mirror, "mirror", (4,))
     length = float(np.linalg.norm(plane[:3]))
     if not length > 0.0:

@@ -6,6 +6,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from quintrig.scan.align import rotation
+from quintrig.scan.nearest import Finder
 from quintrig.shaping.fitting.primitives import normals_of
 from quintrig.support.arrays import FloatArray
 
@@ -40,8 +41,38 @@ def mirror_of(points: FloatArray) -> FloatArray:
             if np.abs(step).max() < 1e-12:
                 break
         if rms < least:
-            values, vectors = np.linalg.eig(turn)
-            normal = np.real(vectors[:, int(np.argmin(np.real(values)))])
-            normal = normal / np.linalg.norm(normal)
-            best, least = np.append(normal, -0.5 * float(normal @ shift)), rms
+            best, least = _plane_of(turn, shift), rms
     return best
+
+
+def refined_mirror(finder: Finder, points: FloatArray, plane: FloatArray) -> FloatArray:
+    """Return the plane by the images' orthogonal distances from a surface through the points, which noise moves less."""
+    few = points if len(points) <= 20_000 else points[np.random.default_rng(0).permutation(len(points))[:20_000]]
+    centre = few.mean(axis=0)
+    for _ in range(25):
+        normal, offset = plane[:3], plane[3]
+        turn, shift = np.eye(3) - 2.0 * np.outer(normal, normal), -2.0 * offset * normal
+        image = few @ turn.T + shift
+        feet = finder.feet(image)
+        inner = ~feet.edge
+        if inner.sum() < 10:
+            return plane
+        arm = image - centre
+        rows = np.concatenate([np.cross(arm, feet.normal), feet.normal], axis=1)[inner]
+        gap = -np.einsum("ij,ij->i", feet.away, feet.normal)[inner]
+        off = np.abs(gap)
+        rows, gap = rows[off <= 6.0 * 1.4826 * np.median(off) + 1e-15], gap[off <= 6.0 * 1.4826 * np.median(off) + 1e-15]
+        step = np.linalg.lstsq(rows, gap, rcond=1e-6)[0]
+        more = rotation(step[:3])
+        plane = _plane_of(more @ turn, more @ (shift - centre) + centre + step[3:])
+        if np.abs(step[:3]).max() < 1e-13:
+            break
+    return plane
+
+
+def _plane_of(turn: FloatArray, shift: FloatArray) -> FloatArray:
+    """Return the plane of a reflection, or nearly one, x -> turn x + shift."""
+    values, vectors = np.linalg.eig(turn)
+    normal = np.real(vectors[:, int(np.argmin(np.real(values)))])
+    normal = normal / np.linalg.norm(normal)
+    return np.append(normal, -0.5 * float(normal @ shift))

@@ -231,15 +231,12 @@ def _in_frame(
     """Return the sizes of the form in the frame of the model kind, where it is as good as the free one."""
     x = free.copy()
     x[:3] += centre
-    frame = np.zeros(3)
-    if kind == "cone":
-        frame = np.array([0.0, 0.0, x[2]])
-    tail = {"sphere": x[3:], "cylinder": x[5:], "cone": np.array([x[2], x[5]]), "torus": x[5:]}[kind]
+    tail = x[3:] if kind == "sphere" else x[[2, 5]] if kind == "cone" else x[5:]
 
     def gap(sizes: FloatArray, at: FloatArray) -> FloatArray:
         if kind == "sphere":
             return _sphere_gap(np.concatenate([np.zeros(3), sizes]), at)
-        apex = np.array([0.0, 0.0, sizes[0]]) if kind == "cone" else frame * 0.0
+        apex = np.array([0.0, 0.0, sizes[0] if kind == "cone" else 0.0])
         last = sizes[1:] if kind == "cone" else sizes
         return _GAPS[kind](np.concatenate([apex, np.zeros(2), last]), at)
 
@@ -301,6 +298,8 @@ def _placed(kind: str, x: FloatArray, scale: float, centre: FloatArray, points: 
     e1 = np.cross(helper, axis)
     e1 /= np.linalg.norm(e1)
     frame = np.stack([e1, np.cross(axis, e1), axis])
+    if kind == "cylinder":  # any point of its axis would do
+        spot = spot + float((points - spot).mean(axis=0) @ axis) * axis
     along = (points - spot) @ axis
     low, high = float(along.min()), float(along.max())
     place = {"axis": axis.tolist()}

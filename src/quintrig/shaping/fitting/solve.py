@@ -186,8 +186,12 @@ def _made(
 ) -> System:
     normal = feet.normal
     along = normal[:, :, None] * normal[:, None, :]
-    share = np.where(feet.edge, 1.0, slide)[:, None, None]
-    weight = weights[:, None, None] * (share * np.eye(3) + (1.0 - share) * along)
+    # Where the distance is not along the normal, the foot may slide along the border alone.
+    if feet.edge.any():
+        beside = np.cross(normal[feet.edge], feet.away[feet.edge])
+        beside /= np.maximum(np.linalg.norm(beside, axis=1, keepdims=True), 1e-300)
+        along[feet.edge] = np.eye(3) - beside[:, :, None] * beside[:, None, :]
+    weight = weights[:, None, None] * (slide * np.eye(3) + (1.0 - slide) * along)
     at = np.stack([feet.u, feet.v], axis=1)
     return _system(form, state.q, state.theta, feet.which, at, weight, feet.away, data.smooth, free)
 
@@ -203,7 +207,7 @@ def _stepped(
         # The net's part of the equations is eliminated: what remains is in the shape parameters alone.
         schur = made.shape - made.mixed.T @ _solved(made.net, made.mixed)
         right = made.to_shape - made.mixed.T @ _solved(made.net, made.to_net)
-        schur = schur + 1e-6 * np.diag(np.diag(made.shape)) + 1e-300 * np.eye(len(theta))
+        schur = schur + slide * np.diag(np.abs(np.diag(schur))) + 1e-9 * np.diag(np.diag(made.shape))
         low = np.array([one.low + (1e-6 if one.open[0] else 0.0) for one in form.ranges.values()])
         high = np.array([one.high - (1e-6 if one.open[1] else 0.0) for one in form.ranges.values()])
         shift = _bounded(schur, right, low - theta, high - theta, 0.5 * (high - low))
