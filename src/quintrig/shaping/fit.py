@@ -14,7 +14,7 @@ from quintrig.scan.nearest import Finder
 from quintrig.scan.scan import Scan
 from quintrig.shaping.fitting import curves, solve
 from quintrig.shaping.fitting.forms import KINDS, Form, form_of
-from quintrig.shaping.fitting.mirror import mirror_of, refined_mirror
+from quintrig.shaping.fitting.mirror import mirror_of
 from quintrig.shaping.fitting.primitives import PRIMITIVES, fit_primitive
 from quintrig.shaping.fitting.result import Fit, ShapeValue
 from quintrig.shaping.fitting.start import border, parametrisations
@@ -297,7 +297,7 @@ def _mirror(kind: str, mirror: ArrayLike | None, scan: Scan) -> FloatArray | Non
         return None
     if mirror is None:
         free = fit(scan, "tensor")
-        return refined_mirror(Finder([free.model.surface]), scan.points[free.kept], mirror_of(scan.points))
+        return mirror_of(Finder([free.model.surface]), scan.points[free.kept])
     plane = frozen(mirror, "mirror", (4,))
     length = float(np.linalg.norm(plane[:3]))
     if not length > 0.0:

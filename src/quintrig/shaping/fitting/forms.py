@@ -159,7 +159,7 @@ class Form:
             plane = self.mirror if self.mirror is not None else np.array([1.0, 0.0, 0.0, 0.0])
             offset = plane[3] * scale - float(plane[:3] @ centre)
             half = net[0, : n // 2] * scale + centre
-            return [common | {"points": half.tolist(), "mirror": [*plane[:3].tolist(), offset]}]
+            return [common | {"points": half.tolist(), "mirror": [*plane[:3].tolist(), float(offset)]}]
         if self.kind == "swept":
             section = net[0, :, 0] * scale + centre
             trajectory = (net[0, 0] - net[0, 0, 0]) * scale

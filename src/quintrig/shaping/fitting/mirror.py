@@ -1,73 +1,57 @@
 """The plane in which points are nearly their own mirror image."""
 
-from typing import Any
-
 import numpy as np
-from scipy.spatial import cKDTree
 
 from quintrig.scan.align import rotation
 from quintrig.scan.nearest import Finder
-from quintrig.shaping.fitting.primitives import normals_of
 from quintrig.support.arrays import FloatArray
 
+_TURNS = 8
+"""Planes through the shortest principal axis that are tried."""
 
-def mirror_of(points: FloatArray) -> FloatArray:
+
+def mirror_of(finder: Finder, points: FloatArray) -> FloatArray:
     """Return the plane (a, b, c, d), (a, b, c) of length 1, that points (n, 3) are nearest to symmetric in.
 
-    Each principal plane is tried: the image in it is moved onto the points by closest points to planes, and image and
-    motion together are a reflection nearly, whose plane it is.
+    ``finder`` is that of a surface through the points: images are measured to it, which noise moves less than points.
+    Image and the small motion that brings it onto the surface are together a reflection nearly, whose plane it is.
     """
-    few = points if len(points) <= 4000 else points[np.random.default_rng(0).permutation(len(points))[:4000]]
-    tree: Any = cKDTree(points)
-    normals = normals_of(points, points)
-    centre = few.mean(axis=0)
-    best, least = np.array([1.0, 0.0, 0.0, 0.0]), np.inf
-    for axis in np.linalg.eigh((few - centre).T @ (few - centre))[1].T:
-        turn = np.eye(3) - 2.0 * np.outer(axis, axis)
-        shift = centre - turn @ centre
-        rms = np.inf
-        for _ in range(30):
-            image = few @ turn.T + shift
-            near = np.asarray(tree.query(image)[1])
-            gap = np.einsum("ij,ij->i", points[near] - image, normals[near])
-            kept = np.abs(gap) <= 4.0 * 1.4826 * np.median(np.abs(gap)) + 1e-12
-            rms = float(np.sqrt(np.mean(((points[near] - image) ** 2).sum(axis=1))))
-            arm = image - centre
-            rows = np.concatenate([np.cross(arm, normals[near]), normals[near]], axis=1)[kept]
-            step = np.linalg.lstsq(rows, gap[kept], rcond=1e-6)[0]
-            more = rotation(step[:3])
-            shift = more @ (shift - centre) + centre + step[3:]
-            turn = more @ turn
-            if np.abs(step).max() < 1e-12:
-                break
-        if rms < least:
-            best, least = _plane_of(turn, shift), rms
-    return best
+    few, many = (_some(points, count) for count in (800, 20_000))
+    centre = points.mean(axis=0)
+    _, axes = np.linalg.eigh((many - centre).T @ (many - centre))
+    angles = np.pi * np.arange(_TURNS) / _TURNS
+    normals = [np.cos(a) * axes[:, 2] + np.sin(a) * axes[:, 1] for a in angles] + [axes[:, 0]]
+    tried = [_refined(finder, few, np.append(normal, -normal @ centre), 12) for normal in normals]
+    best = min(tried, key=lambda one: one[1])[0]
+    return _refined(finder, many, best, 25)[0]
 
 
-def refined_mirror(finder: Finder, points: FloatArray, plane: FloatArray) -> FloatArray:
-    """Return the plane by the images' orthogonal distances from a surface through the points, which noise moves less."""
-    few = points if len(points) <= 20_000 else points[np.random.default_rng(0).permutation(len(points))[:20_000]]
-    centre = few.mean(axis=0)
-    for _ in range(25):
+def _some(points: FloatArray, most: int) -> FloatArray:
+    return points if len(points) <= most else points[np.random.default_rng(0).permutation(len(points))[:most]]
+
+
+def _refined(finder: Finder, points: FloatArray, plane: FloatArray, rounds: int) -> tuple[FloatArray, float]:
+    centre = points.mean(axis=0)
+    best, least = plane, np.inf
+    for _ in range(rounds):
         normal, offset = plane[:3], plane[3]
         turn, shift = np.eye(3) - 2.0 * np.outer(normal, normal), -2.0 * offset * normal
-        image = few @ turn.T + shift
+        image = points @ turn.T + shift
         feet = finder.feet(image)
+        rms = float(np.sqrt((feet.away**2).sum(axis=1).mean()))
+        if rms < least:
+            best, least = plane, rms
         inner = ~feet.edge
         if inner.sum() < 10:
-            return plane
-        arm = image - centre
-        rows = np.concatenate([np.cross(arm, feet.normal), feet.normal], axis=1)[inner]
+            break
+        rows = np.concatenate([np.cross(image - centre, feet.normal), feet.normal], axis=1)[inner]
         gap = -np.einsum("ij,ij->i", feet.away, feet.normal)[inner]
-        off = np.abs(gap)
-        rows, gap = rows[off <= 6.0 * 1.4826 * np.median(off) + 1e-15], gap[off <= 6.0 * 1.4826 * np.median(off) + 1e-15]
         step = np.linalg.lstsq(rows, gap, rcond=1e-6)[0]
         more = rotation(step[:3])
         plane = _plane_of(more @ turn, more @ (shift - centre) + centre + step[3:])
         if np.abs(step[:3]).max() < 1e-13:
             break
-    return plane
+    return best, least
 
 
 def _plane_of(turn: FloatArray, shift: FloatArray) -> FloatArray:
