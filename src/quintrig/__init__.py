@@ -57,6 +57,8 @@ if TYPE_CHECKING:
     from quintrig.multipatch.find import find_joins as find_joins
     from quintrig.multipatch.joins import Joins as Joins
     from quintrig.quantities.classify import Thresholds as Thresholds
+    from quintrig.scan.curvature import ScanCurvature as ScanCurvature
+    from quintrig.scan.curvature import scan_curvature as scan_curvature
     from quintrig.scan.deviation import Deviation as Deviation
     from quintrig.scan.deviation import deviation as deviation
     from quintrig.scan.scan import Scan as Scan
@@ -85,6 +87,7 @@ _HOME = {
     "exchange.export": ("export",),
     "exchange.imports": ("open_model",),
     "exchange.scans": ("read_scan",),
+    "scan.curvature": ("ScanCurvature", "scan_curvature"),
     "scan.deviation": ("Deviation", "deviation"),
     "scan.scan": ("Scan",),
     "shaping.fit": ("fit",),

@@ -35,6 +35,7 @@ SOURCES = (
     "support/tolerance",
     "kernel/outputs",
     "quantities/table",
+    "scan/jets_jit",
     "scan/nearest_jit",
     "sweep/summarise",
     "kernel/stores",
