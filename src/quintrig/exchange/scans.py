@@ -107,6 +107,17 @@ def read_scan(path: str | Path, unit: str = "") -> Scan:
     return found
 
 
+def to_csv(scan: Scan) -> str:
+    """Return the points of a scan as CSV, with normals where there are some, every digit kept."""
+    stream = io.StringIO()
+    names = "xyz"[: scan.points.shape[1]]
+    columns = [scan.points, *([] if scan.normals is None else [scan.normals])]
+    heading = ",".join([*names, *([] if scan.normals is None else ["nx", "ny", "nz"])])
+    stream.write(f"# unit {scan.unit}\n{heading}\n" if scan.unit else f"{heading}\n")
+    np.savetxt(stream, np.column_stack(columns), delimiter=",", fmt="%.17g")
+    return stream.getvalue()
+
+
 def _bytes(path: Path) -> bytes:
     try:
         if path.is_dir():
