@@ -2,12 +2,12 @@
 
 import json
 
-import cli_runner
 import numpy as np
 import pytest
 from scipy.optimize import minimize
 from scipy.spatial import cKDTree
 
+import cli_runner
 import quintrig
 from quintrig.scan.align import rotation
 
@@ -67,7 +67,7 @@ def test_nearest_points_are_those_of_brute_force_at_folds_and_edges():
     ],
 )
 def test_signed_distances_from_closed_forms(surface, exact):
-    p = np.random.default_rng(1).uniform(-4, 4, (3000, 3)) + [0, 0, 25 * (surface.size > 50)]
+    p = np.random.default_rng(1).uniform(-4, 4, (3000, 3)) + np.array([0, 0, 25 * (surface.size > 50)])
     found = quintrig.deviation(surface, p)
     assert np.abs(found.distance - exact(p)).max() < 1e-9
     assert not found.edge.any()  # a seam is no edge
@@ -76,7 +76,7 @@ def test_signed_distances_from_closed_forms(surface, exact):
 
 def test_what_lies_beyond_the_border_is_told_apart_and_patches_are_taken_together():
     plane = quintrig.tensor(FLAT)
-    other = quintrig.tensor(np.array(FLAT) + [100.0, 0, 0])
+    other = quintrig.tensor(np.array(FLAT) + np.array([100.0, 0, 0]))
     p = np.array([[50.0, 50, 3], [50, 50, -4], [103, 50, 4], [150, 20, -1], [0, 0, 2]])
     one = quintrig.deviation(plane, p, tolerance=3.5)
     assert one.distance == pytest.approx([3, -4, 5, -np.hypot(50, 1), 2])

@@ -66,7 +66,9 @@ def export(
 
     A .csv holds one net of points. Of a model with several nets, such as section and trajectory, OUT.csv becomes
     OUT-section.csv and OUT-trajectory.csv, and there is no OUT.csv. Every file written is named. Other files are
-    replaced, and this is said; a scan is written with the curvature of its points (.ply .csv .json); model files only with --force, and never the one that is read.
+    replaced, and this is said; model files only with --force, and never the one that is read.
+
+    A scan (.csv .xyz .ply .obj .stl) is written with the curvature of its points, as .ply, .csv or .json.
     """
     if is_scan(model):
         from quintrig.exchange.scan_files import export_scan

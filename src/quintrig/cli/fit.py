@@ -163,6 +163,8 @@ def _tell(result: "Fit", as_json: bool, output: Path | None) -> None:
         told = result.to_dict() | ({"model": str(output)} if output else {})
         session.emit(json.dumps(told, ensure_ascii=False, indent=1))
         return
+    import numpy as np
+
     from quintrig.exchange.tables import shown
 
     unit = f" {result.model.unit}" if result.model.unit else ""
@@ -179,10 +181,10 @@ def _tell(result: "Fit", as_json: bool, output: Path | None) -> None:
     row("largest", f"{shown(result.max)}{unit}")
     if result.tolerance is not None:
         row("tolerance", f"{result.tolerance:g}{unit}: {'reached' if result.within_tolerance else 'not reached'}")
-    for name, value in result.facts.get("form", {}).items():
+    form: dict[str, Any] = result.facts.get("form", {})
+    for name, value in form.items():
         if name != "kind":
-            parts = value if isinstance(value, list) else [value]
-            row(name.replace("_", " "), ", ".join(shown(float(part)) for part in parts))
+            row(name.replace("_", " "), ", ".join(shown(float(part)) for part in np.ravel(value).tolist()))
     for one in result.shape:
         row(one.name, f"{one.value:.4g}, with 95 % from {one.low:.4g} to {one.high:.4g}")
     for note in result.notes:

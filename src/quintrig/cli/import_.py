@@ -29,7 +29,12 @@ def register(app: typer.Typer) -> None:
 
 def import_(
     file: Annotated[
-        Path, typer.Argument(metavar="FILE", help="STEP, IGES, BREP, 3DM, CSV or JSON file; a scan: XYZ, PLY, OBJ, STL.", show_default=False)
+        Path,
+        typer.Argument(
+            metavar="FILE",
+            help="STEP, IGES, BREP, 3DM, CSV or JSON file; a scan: XYZ, PLY, OBJ, STL.",
+            show_default=False,
+        ),
     ],
     output: Annotated[
         Path | None, typer.Option("-o", "--output", metavar="OUT", help="Model to write, .toml or .json; a net: .csv.")
@@ -106,7 +111,8 @@ def _scan(file: Path, output: Path | None, unit: str, listing: bool) -> None:
         mesh = f", triangles {len(scan.triangles):,}" if scan.triangles is not None else ""
         normals = ", with normals" if scan.normals is not None else ""
         session.emit(
-            f"{scan.name}: points {len(scan.points):,}{mesh}{normals}, unit {scan.unit or 'none stated'}, size {scan.size:.6g}"
+            f"{scan.name}: points {len(scan.points):,}{mesh}{normals}, unit {scan.unit or 'none stated'}, "
+            f"size {scan.size:.6g}"
         )
         return
     if output is None or output.suffix.lower() != ".csv":

@@ -18,7 +18,9 @@ ScanUnit = Annotated[str, typer.Option("--unit", metavar="UNIT", help="Of a scan
 Neighbours = Annotated[
     int | None, typer.Option(metavar="N", help="Of a scan: points around each that its curvature is taken from.")
 ]
-Degree = Annotated[int | None, typer.Option(metavar="D", help="Of a scan: degree of the polynomials over them, 2 to 5.")]
+Degree = Annotated[
+    int | None, typer.Option(metavar="D", help="Of a scan: degree of the polynomials over them, 2 to 5.")
+]
 
 
 def is_scan(path: Path) -> bool:
@@ -53,8 +55,16 @@ def table_of(found: "ScanCurvature", quantities: Sequence[str] | None, all_point
 
 
 def draw(
-    path: Path, output: Path, quantities: str, view: str, width: str, dpi: int, unit: str, neighbours: int | None, degree: int | None
-) -> None:  # fmt: skip
+    path: Path,
+    output: Path,
+    quantities: str,
+    view: str,
+    width: str,
+    dpi: int,
+    unit: str,
+    neighbours: int | None,
+    degree: int | None,
+) -> None:
     """Draw a scan in the colours of quantities."""
     from quintrig.figure.plot import read_quantities, read_view
     from quintrig.figure.save import kind_of, save

@@ -18,7 +18,7 @@ SUFFIXES = (".ply", *TABLES)
 
 
 def export_scan(found: ScanCurvature, path: Path, colour: str | None = "gaussian") -> Path:
-    """Write a scan with its curvatures and their errors; PLY coloured by a quantity. QuintrigError for other endings."""
+    """Write a scan with its curvatures and their errors, PLY in colours; QuintrigError for other endings."""
     suffix = path.suffix.lower()
     if suffix in TABLES:
         return write_whole(path, WRITERS[TABLES[suffix]](tabulate_scan(found, title=found.scan.name)))

@@ -269,7 +269,7 @@ def _mesh(raw: bytes, path: Path) -> Scan:
 def _normals_of(found: Any, count: int) -> FloatArray | None:
     """Return the normals of points that a PLY file holds beside them."""
     raw: Any = getattr(found, "metadata", {}).get("_ply_raw", {}).get("vertex", {}).get("data")
-    names = getattr(getattr(raw, "dtype", None), "names", None) or (raw if isinstance(raw, dict) else ())
+    names: Any = getattr(getattr(raw, "dtype", None), "names", None) or list(raw or ())
     if raw is None or not {"nx", "ny", "nz"} <= set(names):
         return None
     normals = np.stack([np.asarray(raw[name], dtype=np.float64).reshape(-1) for name in ("nx", "ny", "nz")], axis=1)

@@ -14,8 +14,9 @@ _MOST = 20_000  # points drawn
 def deviation_picture(result: Deviation, title: str = "", width: float = 8.0) -> Figure:
     """Return the surfaces with the points coloured by distance, blue below and red above, beside a histogram."""
     figure = Figure(figsize=(width, 0.56 * width), layout="constrained")
-    grid = figure.add_gridspec(1, 2, width_ratios=(1.7, 1.0))
-    space: Any = figure.add_subplot(grid[0], projection="3d")
+    drawn: Any = figure
+    grid: Any = drawn.add_gridspec(1, 2, width_ratios=(1.7, 1.0))
+    space: Any = drawn.add_subplot(grid[0], projection="3d")
     t = np.linspace(0.0, 1.0, 25)
     for surface in result.surfaces:
         p = surface(t[:, None], t[None, :])
@@ -42,12 +43,12 @@ def deviation_picture(result: Deviation, title: str = "", width: float = 8.0) ->
         getattr(space, f"set_{axis}label")(f"{axis} ({result.unit})" if result.unit else axis)
     space.tick_params(labelsize=7)
     unit = f" ({result.unit})" if result.unit else ""
-    bar: Any = figure.colorbar(dots, ax=space, shrink=0.7, pad=0.12, extend="both")
+    bar: Any = drawn.colorbar(dots, ax=space, shrink=0.7, pad=0.12, extend="both")
     bar.set_label(f"distance{unit}, + towards the normal", fontsize=8)
     bar.ax.tick_params(labelsize=7)
-    _histogram(figure.add_subplot(grid[1]), result, reach, unit)
+    _histogram(drawn.add_subplot(grid[1]), result, reach, unit)
     if title:
-        figure.suptitle(title, fontsize=11)
+        drawn.suptitle(title, fontsize=11)
     return figure
 
 

@@ -44,11 +44,12 @@ def scan_picture(
         for axis in "xyz":
             getattr(axes, f"set_{axis}label")(f"{axis} ({scan.unit})" if scan.unit else axis, fontsize=7)
     if title:
-        figure.suptitle(title, fontsize=11)
+        drawn: Any = figure
+        drawn.suptitle(title, fontsize=11)
     return figure
 
 
-def _coloured(figure: Figure, axes: Any, found: ScanCurvature, q: Quantity) -> FloatArray:
+def _coloured(figure: Any, axes: Any, found: ScanCurvature, q: Quantity) -> FloatArray:
     """Return the colours (n, 3) of the points, and draw the scale beside the axes."""
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
@@ -65,7 +66,7 @@ def _coloured(figure: Figure, axes: Any, found: ScanCurvature, q: Quantity) -> F
     stretch = limits(inner, q)
     unit = q.unit(found.scan.unit)
     shade = ScalarMappable(Normalize(stretch.low, stretch.high), colour_map(q))
-    bar: Any = figure.colorbar(shade, ax=axes, shrink=0.6, pad=0.1)
+    bar: Any = figure.colorbar(shade, ax=axes, shrink=0.6, pad=0.16)
     bar.set_label(f"{q.symbol} ({unit})" if unit else q.symbol, fontsize=8)
     bar.ax.tick_params(labelsize=7)
     return real_colours(values, q, stretch)

@@ -8,17 +8,18 @@ from typing import Any
 import numpy as np
 
 from quintrig import __version__
+from quintrig.exchange.tables import shown
 from quintrig.figure.save import to_png_bytes
 from quintrig.figure.scan import scan_picture
 from quintrig.quantities.table import quantity
-from quintrig.report.wording import number
 from quintrig.scan.curvature import CLASSES, VALUES, ScanCurvature
 from quintrig.scan.curvature_table import notes_of
 from quintrig.support.files import refuse_unwritable, write_whole
 
 _STYLE = (
-    "body{font:15px/1.5 system-ui,sans-serif;max-width:60rem;margin:2rem auto;padding:0 1rem;color:#222;background:#fff}"
-    "table{border-collapse:collapse}td,th{padding:.2rem .8rem;text-align:right;border-bottom:1px solid #ccc}"
+    "body{font:15px/1.5 system-ui,sans-serif;max-width:60rem;margin:2rem auto;padding:0 1rem;color:#222}"
+    "table{display:block;overflow-x:auto;border-collapse:collapse}"
+    "td,th{padding:.2rem .8rem;text-align:right;border-bottom:1px solid #ccc}"
     "td:first-child,th:first-child{text-align:left}img{max-width:100%}"
 )
 _SHARES = (0, 5, 25, 50, 75, 95, 100)
@@ -33,7 +34,7 @@ def write_scan_report(found: ScanCurvature, out: Path) -> Path:
         f"<h1>{name}</h1>",
         f"<p>{len(found.scan.points):,} points"
         + (f", {len(found.scan.triangles):,} triangles" if found.scan.triangles is not None else "")
-        + f"; size {number(found.scan.size)} {escape(found.scan.unit)}.</p>",
+        + f"; size {shown(found.scan.size, 4)} {escape(found.scan.unit)}.</p>",
         "<ul>" + "".join(f"<li>{escape(note)}</li>" for note in notes_of(found)) + "</ul>",
         "<h2>Curvature</h2>",
         _numbers(found),
@@ -72,7 +73,7 @@ def _errors(found: ScanCurvature) -> str:
 
 def _spread(values: Any) -> list[str]:
     finite = values[np.isfinite(values)]
-    return [number(float(x)) for x in np.percentile(finite, _SHARES)] if len(finite) else ["–"] * len(_SHARES)
+    return [shown(float(x), 4) for x in np.percentile(finite, _SHARES)] if len(finite) else ["–"] * len(_SHARES)
 
 
 def _named(key: str, found: ScanCurvature) -> str:

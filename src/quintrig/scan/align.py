@@ -7,6 +7,7 @@ import numpy as np
 
 from quintrig.scan.nearest import Feet, Finder
 from quintrig.support.arrays import FloatArray
+from quintrig.support.scipy_inside import shortest
 
 _COARSE, _FINE = 600, 40_000
 _STEPS = 80
@@ -91,7 +92,7 @@ def _step(points: FloatArray, feet: Feet) -> FloatArray:
         held = np.concatenate([np.cross(np.repeat(arm[outer], 3, axis=0), each), each], axis=1)
         rows = np.concatenate([rows[~outer], held])
         wanted = np.concatenate([wanted[~outer], -feet.away[outer].ravel()])
-    solution = np.linalg.lstsq(rows, wanted, rcond=1e-5)[0]
+    solution = shortest(rows, wanted, rcond=1e-5)
     turn = rotation(solution[:3] / reach)
     result = np.eye(4)
     result[:3, :3] = turn

@@ -14,6 +14,7 @@ from quintrig.scan.nearest import in_threads
 from quintrig.scan.orient import planes, rim, sides
 from quintrig.scan.scan import Scan, scan_of
 from quintrig.support.arrays import BoolArray, FloatArray
+from quintrig.support.scipy_inside import tree_of
 
 VALUES = ("gaussian", "mean", "k1", "k2", "shape_index", "curvedness")
 """Quantities of a scan that have an error."""
@@ -90,6 +91,14 @@ def scan_curvature(
     degree, neighbours = _chosen(found, tree, degree, neighbours)
     near = _near(tree, found.points, min(neighbours, len(found.points)))
     raw = _fitted(found.points, np.arange(len(found.points)), near, degree)
+    for times in (2, 4, 8):  # neighbours on few lines, as in a corner of a grid, do not tell a polynomial
+        bad = np.flatnonzero(~np.isfinite(raw.check).all(axis=1))
+        count = min(times * neighbours, len(found.points))
+        if not len(bad):
+            break
+        again = _fitted(found.points, bad, _near(tree, found.points[bad], count), degree)
+        for name in ("frames", "values", "check", "covariance", "residual", "gap"):
+            getattr(raw, name)[bad] = getattr(again, name)
     turn, words = sides(found, raw.frames[:, 2], near)
     return _told(found, raw, turn, words, degree, neighbours)
 
@@ -117,9 +126,7 @@ def _upper(degree: int) -> int:
 
 
 def _tree(points: FloatArray) -> Any:
-    from scipy.spatial import cKDTree
-
-    return cKDTree(points)
+    return tree_of(points)
 
 
 def _near(tree: Any, at: FloatArray, count: int) -> NDArray[np.int64]:
@@ -135,7 +142,9 @@ def _fitted(points: FloatArray, chosen: NDArray[Any], near: NDArray[np.int64], d
 
     def work(part: slice) -> None:
         arrays = (values, check, covariance, residual, gap)
-        jets_jit.jets(points, at[part], near[part], frames[part], degree, _upper(degree), *(one[part] for one in arrays))
+        jets_jit.jets(
+            points, at[part], near[part], frames[part], degree, _upper(degree), *(one[part] for one in arrays)
+        )
 
     in_threads(work, n, 2000)
     reach = float(np.median(np.linalg.norm(points[near[:, -1]] - at, axis=1)))
@@ -160,6 +169,7 @@ def _chosen(scan: Scan, tree: Any, degree: int | None, neighbours: int | None) -
         # sample does not resolve in places.
         off = np.sort(off[np.isfinite(off)])
         mean = float(np.sqrt(np.mean(off[: max(1, int(0.98 * len(off)))] ** 2))) if len(off) else np.inf
+        mean = mean if np.isfinite(raw.check).all(axis=1).mean() > 0.98 else np.inf
         if mean < least:
             best, least = (d, k), mean
     return best
@@ -273,5 +283,3 @@ def _classes(
         name: np.where(finite, codes, 0).astype(np.int8)
         for name, codes in (("point_type", kind), ("hk_type", hk), ("shape_class", shape))
     }
-
-

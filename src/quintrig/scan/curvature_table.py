@@ -23,12 +23,16 @@ def tabulate_scan(
     at = np.arange(len(found.scan.points)) if chosen is None else chosen
     unit = found.scan.unit
     words = tuple("border" if on else "inside" for on in found.border[at].tolist())
-    columns = [_numbers(axis, axis, axis, f"{axis} of the point", unit, found.scan.points[at, k]) for k, axis in enumerate("xyz")]
+    columns = [
+        _numbers(axis, axis, axis, f"{axis} of the point", unit, found.scan.points[at, k])
+        for k, axis in enumerate("xyz")
+    ]
     columns.append(Column("border", "border", r"\mathrm{border}", "place of the point", "", words, words))
     for key in dict.fromkeys(keys):
         values, q = found[key][at], BY_KEY[key]
         if q.kind == "class":
-            names = tuple(q.classes[code] for code in values.tolist())
+            codes: list[int] = values.tolist()
+            names = tuple(q.classes[code] for code in codes)
             columns.append(Column(key, q.symbol, q.latex, q.name, "", names, names))
         elif q.kind == "vector":
             if key != "point":
@@ -40,7 +44,9 @@ def tabulate_scan(
             columns.append(_numbers(key, q.symbol, q.latex, q.name, q.unit(unit), values))
             latex = rf"\Delta {q.latex}"
             columns.append(
-                _numbers(f"{key}_error", f"±{q.symbol}", latex, f"error of the {q.name}", q.unit(unit), found.errors[key][at])
+                _numbers(
+                    f"{key}_error", f"±{q.symbol}", latex, f"error of the {q.name}", q.unit(unit), found.errors[key][at]
+                )
             )
     return Table(title, notes_of(found), tuple(columns), lead=3)
 
@@ -50,8 +56,10 @@ def notes_of(found: ScanCurvature) -> tuple[str, ...]:
     unit = f" {found.scan.unit}" if found.scan.unit else ""
     notes = [
         f"Lengths in {found.scan.unit}." if unit else "Lengths are plain numbers: the scan states no unit.",
-        f"The normal n points to {found.side}." if not found.side.startswith("up") else f"The normal n points {found.side}.",
-        f"Polynomials of degree {found.degree} over {found.neighbours} neighbours each, {found.radius:.3g}{unit} around; "
+        f"The normal n points to {found.side}."
+        if not found.side.startswith("up")
+        else f"The normal n points {found.side}.",
+        f"Polynomials of degree {found.degree} over {found.neighbours} neighbours, {found.radius:.3g}{unit} around; "
         f"they scatter by {found.noise:.3g}{unit}.",
         "About 95 of 100 values are nearer to the truth than their error; a class counts as zero what is below it.",
     ]

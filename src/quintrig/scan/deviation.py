@@ -155,7 +155,7 @@ def deviation(
     motion = aligned_to(finder, scan.points) if align else None
     if motion is not None:
         scan = scan.moved(motion.matrix)
-    told = {"names": names, "unit": length or scan.unit, "tolerance": tolerance, "motion": motion}
+    told: dict[str, Any] = {"names": names, "unit": length or scan.unit, "tolerance": tolerance, "motion": motion}
     notes = (*scan.notes, *_far(scan, surfaces))
     if source == "model":
         others = _surfaces_of(target)

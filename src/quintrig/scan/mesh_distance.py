@@ -42,4 +42,5 @@ class MeshFinder:
         foot = np.einsum("ni,nix->nx", shares, corners)
         # Side k runs from corner k to the next: the third corner has no share in its points.
         on = np.roll(shares, -2, axis=1) <= 1e-12
-        return foot, (on & self._border[which]).any(axis=1)
+        border: NDArray[np.bool_] = np.asarray((on & self._border[which]).any(axis=1))
+        return foot, border

@@ -1,7 +1,7 @@
 """The nearest points of surfaces to many points: nothing missed at folds and edges, a million points in seconds.
 
-Each surface is held as polynomial pieces that meet it within 1e-11 of its size, and as triangles with a bound on how far
-the surface is from each. The search in ``nearest_jit`` needs nothing else, whatever the surface is made of; the points
+Each surface is held as polynomial pieces that meet it within 1e-11 of its size, and as triangles with a bound on how
+far the surface is from each. The search in ``nearest_jit`` needs nothing else, whatever the surface is made of; the points
 that it finds are then taken on the surface itself.
 """
 
@@ -10,6 +10,7 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -20,6 +21,7 @@ from quintrig.geometry.surface import Surface
 from quintrig.scan import nearest_jit
 from quintrig.scan.boxes import LEAF, boxed
 from quintrig.support.arrays import FloatArray
+from quintrig.support.scipy_inside import tree_of
 
 _TWIN = 1e-11  # of the size: how near the polynomial pieces come to the surface
 _FEWEST, _FINEST = 8, 64  # pieces along a parameter between two breaks
@@ -30,7 +32,7 @@ _ON_BORDER = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class Feet:
-    """Of each of n points: the nearest surface ``which`` (n,), ``u`` and ``v`` (n,) on it, its ``point`` and ``normal``.
+    """Of each of n points: the nearest surface ``which`` (n,), its ``u``, ``v`` (n,), ``point`` and ``normal`` there.
 
     ``away`` (n, 3) leads from the foot to the point, length¹. ``edge`` (n,) is true where the foot lies on the border
     and ``away`` is not along the normal: there the distance is not orthogonal to the surface.
@@ -129,7 +131,7 @@ def in_threads(work: Callable[[slice], None], count: int, least: int = 20_000) -
         return
     ends = np.linspace(0, count, 4 * cores + 1).astype(int).tolist()
     with ThreadPoolExecutor(cores) as pool:
-        for done in [pool.submit(work, slice(a, b)) for a, b in zip(ends[:-1], ends[1:], strict=True)]:
+        for done in [pool.submit(work, slice(a, b)) for a, b in pairwise(ends)]:
             done.result()
 
 
@@ -176,7 +178,7 @@ def _twin(surface: Surface) -> tuple[FloatArray, FloatArray, FloatArray]:
 
 def _subdivided(breaks: FloatArray, count: int) -> FloatArray:
     each = max(1, -(-count // (len(breaks) - 1)))
-    parts = [np.linspace(a, b, each + 1)[:-1] for a, b in zip(breaks[:-1], breaks[1:], strict=True)]
+    parts: list[FloatArray] = [np.linspace(a, b, each + 1)[:-1] for a, b in pairwise(breaks.tolist())]
     return np.concatenate([*parts, breaks[-1:]])
 
 
@@ -235,7 +237,9 @@ def _dense(loop: FloatArray, count: int = 2000) -> tuple[FloatArray, FloatArray]
     closed = np.concatenate([loop, loop[:1]])
     length = np.linalg.norm(np.diff(closed, axis=0), axis=1)
     each = np.maximum(1, np.ceil(length / max(float(length.sum()), 1e-300) * count)).astype(int)
-    parts = [np.linspace(a, b, k + 1)[:-1] for a, b, k in zip(closed[:-1], closed[1:], each.tolist(), strict=True)]
+    parts: list[FloatArray] = [
+        np.linspace(a, b, k + 1)[:-1] for a, b, k in zip(closed[:-1], closed[1:], each.tolist(), strict=True)
+    ]
     result = np.concatenate(parts)
     return result, np.roll(result, -1, axis=0) - result
 
@@ -244,13 +248,11 @@ def _within(
     surface: Surface, points: FloatArray, u: FloatArray, v: FloatArray
 ) -> tuple[FloatArray, FloatArray, NDArray[np.bool_]]:
     """Return feet with those outside the loops moved to the nearest point of a loop, and which were."""
-    from scipy.spatial import cKDTree
-
     out = ~surface.inside(u, v)
     if not out.any():
         return u, v, out
     starts, steps = (np.concatenate(part) for part in zip(*(_dense(loop) for loop in surface.trim), strict=True))
-    tree: Any = cKDTree(surface(starts[:, 0], starts[:, 1]))
+    tree: Any = tree_of(surface(starts[:, 0], starts[:, 1]))
     _, near = tree.query(points[out], k=min(4, len(starts)))
     near = np.asarray(near).reshape(int(out.sum()), -1)
     best = np.full(len(near), np.inf)

@@ -75,9 +75,9 @@ def place(
     nu, nv = heads[one, 0], heads[one, 1]
     start_u, start_v = heads[one, 2], heads[one, 3]
     i, j = cell(edges, start_u, nu, u), cell(edges, start_v, nv, v)
-    low_u, low_v = edges[start_u + i], edges[start_v + j]
-    scale_u = 2.0 / (edges[start_u + i + 1] - low_u)
-    scale_v = 2.0 / (edges[start_v + j + 1] - low_v)
+    low_u, low_v = float(edges[start_u + i]), float(edges[start_v + j])
+    scale_u = 2.0 / (float(edges[start_u + i + 1]) - low_u)
+    scale_v = 2.0 / (float(edges[start_v + j + 1]) - low_v)
     evaluate(pieces, heads[one, 4] + i * nv + j, (u - low_u) * scale_u - 1.0, (v - low_v) * scale_v - 1.0, rows, out)
     for x in range(3):
         out[1, x] *= scale_u

@@ -4,11 +4,10 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import sparse
-from scipy.sparse import csgraph
 
 from quintrig.scan.scan import Scan
 from quintrig.support.arrays import BoolArray, FloatArray
+from quintrig.support.scipy_inside import csgraph_, sparse_
 
 _LINKS = 8  # neighbours over which the side is handed on
 
@@ -36,15 +35,15 @@ def sides(scan: Scan, normals: FloatArray, near: NDArray[np.int64]) -> tuple[Flo
     rows = np.repeat(np.arange(len(near)), links.shape[1])
     columns = links.ravel()
     like = np.abs(np.einsum("ij,ij->i", normals[rows], normals[columns]))
-    graph = sparse.csr_matrix((1.0 + 1e-6 - np.minimum(like, 1.0), (rows, columns)), shape=(len(near), len(near)))
-    tree: Any = csgraph.minimum_spanning_tree(graph.maximum(graph.T))
-    count, label = csgraph.connected_components(tree, directed=False)
+    graph = sparse_.csr_matrix((1.0 + 1e-6 - np.minimum(like, 1.0), (rows, columns)), shape=(len(near), len(near)))
+    tree: Any = csgraph_.minimum_spanning_tree(graph.maximum(graph.T))
+    count, label = csgraph_.connected_components(tree, directed=False)
     result = np.ones(len(near))
     top = scan.points[:, 2]
     for part in range(count):
         mine = np.flatnonzero(label == part) if count > 1 else np.arange(len(near))
         start = int(mine[np.argmax(top[mine])])
-        order, before = csgraph.breadth_first_order(tree, start, directed=False)
+        order, before = csgraph_.breadth_first_order(tree, start, directed=False)
         result[start] = 1.0 if normals[start, 2] >= 0.0 else -1.0
         turn = np.where(np.einsum("ij,ij->i", normals[order[1:]], normals[before[order[1:]]]) < 0.0, -1.0, 1.0)
         for index, one in zip(order[1:].tolist(), turn.tolist(), strict=True):

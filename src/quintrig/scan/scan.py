@@ -18,9 +18,8 @@ Triangles = NDArray[np.int64]
 class Scan:
     """Points (n, 2 or 3), length¹; unit ``normals`` (n, 3), ``triangles`` (m, 3) and ``weights`` (n,) where known.
 
-    ``notes`` tell what was left out when it was read. ``parameters`` (n, 2), from 0 to 1, are those of points taken from
-    one surface, which are exact and so not ``noisy``. ``outline`` is true of
-    the points of an aerofoil.
+    ``notes`` tell what was left out when it was read. ``parameters`` (n, 2), from 0 to 1, are those of points taken
+    from one surface, which are exact and so not ``noisy``. ``outline`` is true of the points of an aerofoil.
     """
 
     points: FloatArray
@@ -105,13 +104,13 @@ def scan_of(
             across = across / np.linalg.norm(across, axis=1, keepdims=True)
         across = across if np.isfinite(across).all() else None
     faces = None if triangles is None else np.asarray(triangles, dtype=np.int64).reshape(-1, 3)
-    if faces is not None and len(faces) and not (0 <= faces.min() and faces.max() < len(array)):
+    if faces is not None and len(faces) and not (faces.min() >= 0 and faces.max() < len(array)):
         raise ValueError(f"triangles: expected numbers of points, 0 to {len(array) - 1}, found {faces.max()}")
     heavy = None if weights is None else np.asarray(weights, dtype=np.float64)
     if heavy is not None and (heavy.shape != (len(array),) or not np.isfinite(heavy).all() or (heavy < 0.0).any()):
         raise ValueError(f"weights: expected {len(array)} numbers not below 0, one for each point")
     found = Scan(array, across, faces if faces is None or len(faces) else None, heavy, unit, name)
-    fine = np.isfinite(array).all(axis=1) & (np.abs(array) <= LARGEST).all(axis=1)
+    fine: BoolArray = np.asarray((np.abs(array) <= LARGEST).all(axis=1))  # which NaN is not
     if not fine.all():
         note = f"{int((~fine).sum()):,} of {len(array):,} points are no finite numbers and are left out"
         found = replace(found.within(fine), notes=(note,))

@@ -20,6 +20,7 @@ from quintrig.shaping.fitting.result import Fit, ShapeValue
 from quintrig.shaping.fitting.start import border, parametrisations
 from quintrig.support.arrays import BoolArray, FloatArray, frozen, number
 from quintrig.support.errors import nearest
+from quintrig.support.scipy_inside import tree_of
 
 ALL_KINDS = (*KINDS, *PRIMITIVES, "curve")
 """Every kind that can be fitted."""
@@ -55,8 +56,8 @@ def fit(
 
     ``target`` is what ``deviation`` takes. ``kind`` is tensor, symmetric, swept, swung, ruled, plane, sphere, cylinder,
     cone, torus or curve. ``shape`` fixes the shape parameters of the ``basis`` where it starts, frees them, or gives
-    their values; ``size`` is the number of control points each way. ``patches`` (n, m) are joined with G1 or G2; without
-    them a ``tolerance``, length¹, may take as many as 8 x 8. ``boundary`` "curves" draws the edges to the border of the
+    their values; ``size`` is the number of control points each way. ``patches`` (n, m) are joined with G1 or G2;
+    without them a ``tolerance``, length¹, may take as many as 8 x 8. ``boundary`` "curves" draws the edges to the border of the
     points, curves hold them there. ``smooth`` weighs thin-plate energy against the distances. Points farther than 6
     standard deviations do not count where ``robust``, as it is for scans. ``mirror`` (a, b, c, d) is the plane of a
     symmetric surface, found where none is given. Raises ValueError, ModelError or QuintrigError in one line.
@@ -237,7 +238,7 @@ class _Work:
                     notes.append(f"{label} is poorly determined by these points: 95 % interval {low:.3g} to {high:.3g}")
         if len(self.scan.points) * 3 < len(state.q):
             notes.append(
-                f"{len(self.scan.points)} points do not determine {len(state.q)} numbers: the rest is as smooth as can be"
+                f"{len(self.scan.points)} points do not determine {len(state.q)} numbers: the rest is as smooth as it gets"
             )
         facts: dict[str, Any] = {"grid": list(form.grid), "join": self.join if form.patches > 1 else None}
         if self.kind == "symmetric":
@@ -264,15 +265,13 @@ def inliers(distance: FloatArray) -> BoolArray:
 
 def border_points(scan: Scan, points: FloatArray) -> BoolArray:
     """Return which points (n, 3) lie on the border of a mesh, or of a cloud: those with a wide empty angle around."""
-    from scipy.spatial import cKDTree
-
     on = np.zeros(len(points), dtype=np.bool_)
     if scan.triangles is not None:
         loop = border(scan.triangles)
         if loop is not None:
             on[loop] = True
             return on
-    near = np.asarray(cKDTree(points).query(points, k=min(20, len(points)))[1])[:, 1:]
+    near = np.asarray(tree_of(points).query(points, k=min(20, len(points)))[1])[:, 1:]
     local = points[near] - points[:, None]
     _, axes = np.linalg.eigh(np.einsum("nki,nkj->nij", local, local))
     x, y = (np.einsum("nki,ni->nk", local, axes[:, :, k]) for k in (2, 1))
@@ -314,5 +313,3 @@ def _refuse_line(points: FloatArray) -> None:
         raise ValueError("points: expected points apart from each other, found all in one place")
     if not spread[1] > _ENERGY * spread[0]:
         raise ValueError("points: expected points of a surface, found all on a line; take kind curve")
-
-

@@ -37,6 +37,7 @@ SOURCES = (
     "quantities/table",
     "scan/jets_jit",
     "scan/nearest_jit",
+    "shaping/fitting/gram_jit",
     "sweep/summarise",
     "kernel/stores",
 )

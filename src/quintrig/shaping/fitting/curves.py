@@ -15,6 +15,7 @@ from quintrig.scan.scan import Scan
 from quintrig.shaping.fitting.forms import USUAL
 from quintrig.shaping.fitting.result import Fit, ShapeValue
 from quintrig.support.arrays import BoolArray, FloatArray, frozen
+from quintrig.support.scipy_inside import shortest, tree_of
 
 _FINE = 401  # parameters at which the nearest place is looked for
 _ROUNDS, _SETTLED = 150, 12  # rounds at most, and those before the shape parameters move
@@ -36,7 +37,7 @@ def fit_curve(
     plane from a trailing edge around and back to it, or two rows of them, there are two curves that meet in front.
     """
     if not isinstance(basis, str):
-        raise ValueError(f"basis: expected one name for a curve, found {len(list(basis))}")
+        raise ValueError(f"basis: expected one name for a curve, found {len(list(basis))}")  # noqa: TRY004
     choice = entry(basis)
     count = size or (USUAL if USUAL in choice.sizes else choice.usual)
     ranges = parameters(choice, count)
@@ -151,7 +152,9 @@ def _fitted(
         weight = weight * kept[:, None, None]
         shift, off = _shape_step(gap, d[0], weight, functions, theta, t, net, free if k >= _SETTLED else (), slide)
         theta = theta + shift
-        net = net + _net(gap - _change(functions, theta - shift, theta, t, net), d[0], weight, net * 0.0, dict.fromkeys(ends))
+        net = net + _net(
+            gap - _change(functions, theta - shift, theta, t, net), d[0], weight, net * 0.0, dict.fromkeys(ends)
+        )
     net, theta = best
     t = _nearest(p, functions(theta), net)
     return net * scale + centre, theta, t, kept, off
@@ -164,9 +167,7 @@ def _change(functions: Any, before: FloatArray, after: FloatArray, t: FloatArray
     return found
 
 
-def _net(
-    gap: FloatArray, f: FloatArray, weight: FloatArray, base: FloatArray, ends: dict[int, Any]
-) -> FloatArray:
+def _net(gap: FloatArray, f: FloatArray, weight: FloatArray, base: FloatArray, ends: dict[int, Any]) -> FloatArray:
     """Return the net (k, d) that least squares want, with the points at ``ends`` held where they are given."""
     k, d = f.shape[1], gap.shape[1]
     result = base.copy()
@@ -179,7 +180,8 @@ def _net(
     matrix = matrix[free][:, :, free].reshape(len(free) * d, -1)
     wanted = np.einsum("ni,nxy,ny->ix", f, weight, right, optimize=True)[free].ravel()
     tiny = 1e-11 * float(np.trace(matrix)) / max(len(matrix), 1)
-    result[free] += np.linalg.solve(matrix + tiny * np.eye(len(matrix)), wanted).reshape(len(free), d)
+    step: Any = np.linalg.solve(matrix + tiny * np.eye(len(matrix)), wanted)
+    result[free] += step.reshape(len(free), d)
     return result
 
 
@@ -211,7 +213,7 @@ def _shape_step(
     moved = moved - q @ (q.T @ moved)
     left = left - q @ (q.T @ left)
     matrix = moved.T @ moved + 1e-12 * np.eye(len(theta))
-    shift = np.linalg.lstsq(matrix + slide * np.diag(np.diag(matrix)), moved.T @ left, rcond=1e-10)[0]
+    shift = shortest(matrix + slide * np.diag(np.diag(matrix)), moved.T @ left, rcond=1e-10)
     low, high = (np.array([getattr(one, end) for one in free]) for end in ("low", "high"))
     shift = np.clip(shift, -0.3 * (high - low), 0.3 * (high - low))
     variance = float((gap**2).sum()) / max(len(gap) - f.shape[1] - len(theta), 1)
@@ -220,10 +222,8 @@ def _shape_step(
 
 def _nearest(points: FloatArray, family: Functions, net: FloatArray) -> FloatArray:
     """Return the parameters (n,) of the nearest points of a curve: of a fine polygon, then Newton's steps."""
-    from scipy.spatial import cKDTree
-
     s = np.linspace(0.0, 1.0, _FINE)
-    t = s[np.asarray(cKDTree(family.derivatives(s, 0)[0] @ net).query(points)[1])]
+    t = s[np.asarray(tree_of(family.derivatives(s, 0)[0] @ net).query(points)[1])]
     low, high = np.maximum(t - 1.0 / (_FINE - 1), 0.0), np.minimum(t + 1.0 / (_FINE - 1), 1.0)
     for _ in range(8):
         d = family.derivatives(t, 2)

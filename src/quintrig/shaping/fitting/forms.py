@@ -10,7 +10,6 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from scipy import sparse
 
 from quintrig.basis.bernstein import Bernstein
 from quintrig.basis.formulas import Parameter
@@ -22,6 +21,7 @@ from quintrig.basis.registry import Choice, entry
 from quintrig.geometry.constructions import reflected
 from quintrig.geometry.surface import Net, Surface
 from quintrig.support.arrays import FloatArray
+from quintrig.support.scipy_inside import sparse_
 
 KINDS = ("tensor", "symmetric", "swept", "swung", "ruled")
 """Kinds of control points that can be fitted."""
@@ -77,27 +77,32 @@ class Form:
         if self.kind == "tensor":
             u, v = self.families(self.starts)
             one, other = joined_space(u, self.grid[0], self.order), joined_space(v, self.grid[1], self.order)
-            both = sparse.kron(sparse.csr_matrix(one), sparse.csr_matrix(other), format="csr")
+            both: Any = sparse_.kron(sparse_.csr_matrix(one), sparse_.csr_matrix(other), format="csr")
             # Rows run over (patch in u, i, patch in v, j); nets want (patch in u, patch in v, i, j).
-            at = np.arange(both.shape[0]).reshape(self.grid[0], n, self.grid[1], m).transpose(0, 2, 1, 3).ravel()
-            matrix = sparse.kron(both[at], sparse.identity(3), format="csr")
-            return matrix, np.zeros(matrix.shape[0])
+            at: Any = (
+                np.arange(self.grid[0] * n * self.grid[1] * m)
+                .reshape(self.grid[0], n, self.grid[1], m)
+                .transpose(0, 2, 1, 3)
+                .ravel()
+            )
+            matrix: Any = sparse_.kron(both[at], sparse_.identity(3), format="csr")
+            return matrix, np.zeros(int(matrix.shape[0]))
         if self.kind == "symmetric":
             half = n // 2
             unknowns = 3 * half * m
             base = self._whole(np.zeros((half, m, 3))).ravel()
             columns = [self._whole(row.reshape(half, m, 3)).ravel() - base for row in np.eye(unknowns)]
-            return sparse.csr_matrix(np.array(columns).T), base
+            return sparse_.csr_matrix(np.array(columns).T), base
         if self.kind == "swept":
             section = np.kron(np.repeat(np.eye(n), m, axis=0), np.eye(3))
             trajectory = np.kron(np.tile(np.eye(m), (n, 1))[:, 1:], np.eye(3))
-            matrix = sparse.csr_matrix(np.concatenate([section, trajectory], axis=1))
-            return matrix, np.zeros(matrix.shape[0])
+            matrix: Any = sparse_.csr_matrix(np.concatenate([section, trajectory], axis=1))
+            return matrix, np.zeros(int(matrix.shape[0]))
         first, second = self.counts  # ruled: the rest of the net is zero
         chosen = [2 * i for i in range(first)] + [2 * i + 1 for i in range(first, first + second)]
         pick = np.zeros((2 * (first + second), first + second))
         pick[chosen, np.arange(first + second)] = 1.0
-        return sparse.csr_matrix(np.kron(pick, np.eye(3))), np.zeros(6 * (first + second))
+        return sparse_.csr_matrix(np.kron(pick, np.eye(3))), np.zeros(6 * (first + second))
 
     def _whole(self, half: FloatArray) -> FloatArray:
         plane = self.mirror if self.mirror is not None else np.array([1.0, 0.0, 0.0, 0.0])
@@ -136,7 +141,7 @@ class Form:
             result[i, :, 0, i], result[i, :, 1, i], result[i, :, 2, n + i] = x, y, 1.0
         for j in range(m):
             result[:, j, 0, 2 * n + j], result[:, j, 1, 2 * n + m + j] = r, r
-        return sparse.csr_matrix(result.reshape(-1, 2 * n + 2 * m))
+        return sparse_.csr_matrix(result.reshape(-1, 2 * n + 2 * m))
 
     def surfaces(self, q: FloatArray, theta: FloatArray) -> list[Surface]:
         """Return the surfaces of all patches."""

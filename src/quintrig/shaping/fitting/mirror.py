@@ -5,6 +5,7 @@ import numpy as np
 from quintrig.scan.align import rotation
 from quintrig.scan.nearest import Finder
 from quintrig.support.arrays import FloatArray
+from quintrig.support.scipy_inside import shortest
 
 _TURNS = 8
 """Planes through the shortest principal axis that are tried."""
@@ -46,7 +47,7 @@ def _refined(finder: Finder, points: FloatArray, plane: FloatArray, rounds: int)
             break
         rows = np.concatenate([np.cross(image - centre, feet.normal), feet.normal], axis=1)[inner]
         gap = -np.einsum("ij,ij->i", feet.away, feet.normal)[inner]
-        step = np.linalg.lstsq(rows, gap, rcond=1e-6)[0]
+        step = shortest(rows, gap, rcond=1e-6)
         more = rotation(step[:3])
         plane = _plane_of(more @ turn, more @ (shift - centre) + centre + step[3:])
         if np.abs(step[:3]).max() < 1e-13:

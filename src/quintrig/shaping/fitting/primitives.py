@@ -5,10 +5,9 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from scipy.optimize import least_squares
-from scipy.spatial import cKDTree
 
 from quintrig.support.arrays import FloatArray
+from quintrig.support.scipy_inside import optimize_, shortest, tree_of
 
 PRIMITIVES = ("plane", "sphere", "cylinder", "cone", "torus")
 """Kinds with few parameters that are fitted wherever they lie."""
@@ -77,7 +76,7 @@ def rough_cylinder(points: FloatArray) -> tuple[FloatArray, FloatArray, float] |
 
 def normals_of(points: FloatArray, at: FloatArray, neighbours: int = 14) -> FloatArray:
     """Return unit normals (n, 3) at places, to either side, of planes through their neighbours."""
-    tree: Any = cKDTree(points)
+    tree: Any = tree_of(points)
     _, near = tree.query(at, k=min(neighbours, len(points)))
     local = points[np.asarray(near)]
     local = local - local.mean(axis=1, keepdims=True)
@@ -97,7 +96,9 @@ def _least(gap: Gap, points: FloatArray, start: FloatArray, robust: bool) -> tup
         with np.errstate(all="ignore"):
             try:
                 found = np.asarray(
-                    least_squares(gap, found, args=(kept,), method="trf", x_scale="jac", xtol=1e-14, ftol=1e-14).x
+                    optimize_.least_squares(
+                        gap, found, args=(kept,), method="trf", x_scale="jac", xtol=1e-14, ftol=1e-14
+                    ).x
                 )
             except ValueError:
                 return start, np.inf
@@ -150,7 +151,7 @@ def _torus_gap(x: FloatArray, points: FloatArray) -> FloatArray:
 
 def _spheres(points: FloatArray) -> Iterator[FloatArray]:
     rows = np.column_stack([2.0 * points, np.ones(len(points))])
-    found = np.linalg.lstsq(rows, (points**2).sum(axis=1), rcond=None)[0]
+    found = shortest(rows, (points**2).sum(axis=1))
     yield np.append(found[:3], np.sqrt(max(float(found[3] + found[:3] @ found[:3]), 1e-12)))
 
 
@@ -177,7 +178,7 @@ def _cylinders(points: FloatArray) -> Iterator[FloatArray]:
         e2 = np.cross(axis, e1)
         plane = np.stack([at @ e1, at @ e2], axis=1)
         rows = np.column_stack([2.0 * plane, np.ones(len(plane))])
-        found = np.linalg.lstsq(rows, (plane**2).sum(axis=1), rcond=None)[0]
+        found = shortest(rows, (plane**2).sum(axis=1))
         radius = np.sqrt(max(float(found[2] + found[:2] @ found[:2]), 1e-12))
         yield np.concatenate([found[0] * e1 + found[1] * e2, _tilt(axis), [radius]])
 
@@ -185,7 +186,7 @@ def _cylinders(points: FloatArray) -> Iterator[FloatArray]:
 def _cones(points: FloatArray) -> Iterator[FloatArray]:
     at, normals = _sampled(points)
     # Every tangent plane runs through the apex.
-    apex = np.linalg.lstsq(normals, np.einsum("ij,ij->i", normals, at), rcond=None)[0]
+    apex = shortest(normals, np.einsum("ij,ij->i", normals, at))
     ways = at - apex
     ways /= np.maximum(np.linalg.norm(ways, axis=1), 1e-12)[:, None]
     mean = ways.mean(axis=0)

@@ -6,14 +6,17 @@ shape parameters, which is Kaufman's (1975) form of Golub and Pereyra's variable
 """
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
-from scipy import sparse
+from numpy.typing import NDArray
 
 from quintrig.basis.functions import Functions
 from quintrig.scan.nearest import Feet, Finder
+from quintrig.shaping.fitting import gram_jit
 from quintrig.shaping.fitting.forms import Form
 from quintrig.support.arrays import BoolArray, FloatArray
+from quintrig.support.scipy_inside import linalg_, optimize_, shortest, sparse_, tree_of
 
 _LEAST_SMOOTH = 1e-9
 """Thin-plate energy beside the distances, of their weight: it decides only where no point does."""
@@ -83,7 +86,7 @@ def begun(form: Form, data: Data, at: FloatArray) -> State:
     return State(_solved(made.net, made.to_net), theta)
 
 
-def refined(form: Form, data: Data, state: State, free: bool, rounds: int, exact: float = 1e-7) -> State:
+def refined(form: Form, data: Data, state: State, free: bool, rounds: int, exact: float = 1e-5) -> State:
     """Return the fit that distances cannot be made less from; ``free`` lets the shape parameters move."""
     best, slide = state, 0.3
     here = state
@@ -142,19 +145,16 @@ def _feet(form: Form, state: State, data: Data) -> Feet:
 
 def _on_edges(form: Form, finder: Finder, feet: Feet, data: Data) -> Feet:
     """Return the feet with those of border points on the outer edges of the patches."""
-    from scipy.spatial import cKDTree
-
     t = np.linspace(0.0, 1.0, 301)
     one, zero = np.ones_like(t), np.zeros_like(t)
     nu, nv = form.grid
-    sides = [(b, t, zero) for b in ()]
     sides = [(a * nv, t, zero) for a in range(nu)] + [(a * nv + nv - 1, t, one) for a in range(nu)]
     sides += [(b, zero, t) for b in range(nv)] + [((nu - 1) * nv + b, one, t) for b in range(nv)]
     cloud = np.concatenate([finder.surfaces[k](u, v) for k, u, v in sides])
     owner = np.concatenate([np.full(len(t), k) for k, _, _ in sides])
     us, vs = np.concatenate([u for _, u, _ in sides]), np.concatenate([v for _, _, v in sides])
     on = data.border
-    near = np.asarray(cKDTree(cloud).query(data.points[on])[1])
+    near = np.asarray(tree_of(cloud).query(data.points[on])[1])
     which, u, v = feet.which.copy(), feet.u.copy(), feet.v.copy()
     which[on], u[on], v[on] = owner[near], us[near], vs[near]
     found = finder.at(data.points, which, u, v)
@@ -172,7 +172,7 @@ def _trusted(feet: Feet, data: Data) -> FloatArray:
     return np.where(far, 0.0, data.weights) if 0 < far.sum() < 0.3 * len(gap) else data.weights
 
 
-def _points(nets: FloatArray, which: FloatArray, u: Functions, v: Functions, at: FloatArray) -> FloatArray:
+def _points(nets: FloatArray, which: NDArray[np.int64], u: Functions, v: Functions, at: FloatArray) -> FloatArray:
     one, other = u.derivatives(at[:, 0], 0)[0], v.derivatives(at[:, 1], 0)[0]
     result = np.empty((len(at), 3))
     for index, net in enumerate(nets):
@@ -181,9 +181,7 @@ def _points(nets: FloatArray, which: FloatArray, u: Functions, v: Functions, at:
     return result
 
 
-def _made(
-    form: Form, state: State, feet: Feet, data: Data, weights: FloatArray, slide: float, free: bool
-) -> System:
+def _made(form: Form, state: State, feet: Feet, data: Data, weights: FloatArray, slide: float, free: bool) -> System:
     normal = feet.normal
     along = normal[:, :, None] * normal[:, None, :]
     # Where the distance is not along the normal, the foot may slide along the border alone.
@@ -196,9 +194,7 @@ def _made(
     return _system(form, state.q, state.theta, feet.which, at, weight, feet.away, data.smooth, free)
 
 
-def _stepped(
-    form: Form, state: State, feet: Feet, data: Data, weights: FloatArray, slide: float, free: bool
-) -> State:
+def _stepped(form: Form, state: State, feet: Feet, data: Data, weights: FloatArray, slide: float, free: bool) -> State:
     free = free and len(state.theta) > 0
     made = _made(form, state, feet, data, weights, slide, free)
     theta = state.theta
@@ -217,28 +213,24 @@ def _stepped(
 
 def _bounded(matrix: FloatArray, right: FloatArray, low: FloatArray, high: FloatArray, most: FloatArray) -> FloatArray:
     """Return the least of ½ xᵀ A x - bᵀ x between bounds, no step larger than ``most``."""
-    from scipy.optimize import lsq_linear
-
     scale = np.sqrt(np.maximum(np.diag(matrix), 1e-300))
     values, vectors = np.linalg.eigh(matrix / np.outer(scale, scale))
     root = np.sqrt(np.maximum(values, 1e-12))[:, None] * vectors.T
     target = (vectors.T @ (right / scale)) / np.sqrt(np.maximum(values, 1e-12))
     least, greatest = np.maximum(low, -most), np.minimum(high, most)
     greatest = np.maximum(greatest, least + 1e-12)
-    return np.asarray(lsq_linear(root * scale, target, (least, greatest)).x)
+    return np.asarray(optimize_.lsq_linear(root * scale, target, (least, greatest)).x)
 
 
 def _solved(matrix: FloatArray, right: FloatArray) -> FloatArray:
     """Return the solution of symmetric equations, scaled, by Cholesky; of singular ones the shortest."""
-    from scipy.linalg import LinAlgError, cho_factor, cho_solve
-
     scale = 1.0 / np.sqrt(np.maximum(np.diag(matrix), 1e-300))
     scaled = matrix * scale[:, None] * scale[None, :]
     wide = right if right.ndim == 2 else right[:, None]
     try:
-        found = cho_solve(cho_factor(scaled + 1e-14 * np.eye(len(matrix))), wide * scale[:, None])
-    except LinAlgError:
-        found = np.linalg.lstsq(scaled, wide * scale[:, None], rcond=1e-12)[0]
+        found = linalg_.cho_solve(linalg_.cho_factor(scaled + 1e-14 * np.eye(len(matrix))), wide * scale[:, None])
+    except np.linalg.LinAlgError:
+        found = shortest(scaled, wide * scale[:, None], rcond=1e-12)
     return (found * scale[:, None]).reshape(right.shape)
 
 
@@ -246,7 +238,7 @@ def _system(
     form: Form,
     q: FloatArray,
     theta: FloatArray,
-    which: FloatArray,
+    which: NDArray[np.int64],
     at: FloatArray,
     weight: FloatArray,
     away: FloatArray,
@@ -267,26 +259,23 @@ def _system(
     pulled = np.einsum("nxy,ny->nx", weight, away)
     turned = np.einsum("nxy,kny->knx", weight, moves)
     for index in range(form.patches):
-        gram = np.zeros((size, 3, size, 3))
-        mine = np.flatnonzero(which == index) if form.patches > 1 else np.arange(len(at))
-        for start in range(0, len(mine), 50_000):
-            part = mine[start : start + 50_000]
-            f = (one[part, :, None] * other[part, None, :]).reshape(len(part), size)
-            for x in range(3):
-                for y in range(x, 3):
-                    block = f.T @ (f * weight[part, x, y, None])
-                    gram[:, x, :, y] += block
-                    if y > x:
-                        gram[:, y, :, x] += block
-                to_net[index, :, x] += f.T @ pulled[part, x]
-                for k in range(count):
-                    mixed[index, :, x, k] += f.T @ turned[k, part, x]
-        blocks.append(gram.reshape(3 * size, 3 * size))
+        mine = which == index if form.patches > 1 else slice(None)
+        every = (one[mine], other[mine], weight[mine], pulled[mine], turned[:, mine])
+        ways = [np.ascontiguousarray(part) for part in every]
+        sums, own, both = np.zeros((6, size, size)), np.zeros((size, 3)), np.zeros((size, 3, count))
+        gram_jit.gram(ways[0], ways[1], ways[2], ways[3], ways[4], np.empty(size), sums, own, both)
+        to_net[index], mixed[index] = own, both
+        sums += np.triu(sums, 1).transpose(0, 2, 1)
+        block = np.empty((size, 3, size, 3))
+        pairs = [(x, y) for x in range(3) for y in range(x, 3)]
+        for (x, y), product in zip(pairs, sums, strict=True):
+            block[:, x, :, y] = block[:, y, :, x] = product
+        blocks.append(block.reshape(3 * size, 3 * size))
     slopes = form.slopes(q)
     energy = np.kron(_thin_plate(u, v), np.eye(3))
     whole = sum(float(np.trace(block)) for block in blocks) or 1.0
     factor = max(smooth, _LEAST_SMOOTH) * whole / (form.patches * float(np.trace(energy)) or 1.0)
-    stacked = sparse.block_diag([block + factor * energy for block in blocks], format="csr")
+    stacked = sparse_.block_diag([block + factor * energy for block in blocks], format="csr")
     bent = (factor * (nets.reshape(form.patches, -1) @ energy)).ravel()
     net = np.asarray((slopes.T @ stacked @ slopes).todense())
     right = np.asarray(slopes.T @ (to_net.ravel() - bent))
@@ -301,7 +290,7 @@ def _system(
     )
 
 
-def _moves(form: Form, theta: FloatArray, at: FloatArray, which: FloatArray, nets: FloatArray) -> FloatArray:
+def _moves(form: Form, theta: FloatArray, at: FloatArray, which: NDArray[np.int64], nets: FloatArray) -> FloatArray:
     """Return the derivatives (k, n, 3) of the points by the shape parameters; differences are exact where affine."""
     result = np.empty((len(theta), len(at), 3))
     for k, one in enumerate(form.ranges.values()):
@@ -319,11 +308,11 @@ def _thin_plate(u: Functions, v: Functions) -> FloatArray:
     nodes, weights = np.polynomial.legendre.leggauss(16)
     t, w = 0.5 * (nodes + 1.0), 0.5 * weights
     grams = [
-        [np.einsum("n,ni,nj->ij", w, d[k], d[k]) for k in range(3)]
-        for d in (u.derivatives(t, 2), v.derivatives(t, 2))
+        [np.einsum("n,ni,nj->ij", w, d[k], d[k]) for k in range(3)] for d in (u.derivatives(t, 2), v.derivatives(t, 2))
     ]
     (a0, a1, a2), (b0, b1, b2) = grams
-    return np.kron(a2, b0) + 2.0 * np.kron(a1, b1) + np.kron(a0, b2)
+    result: FloatArray = np.kron(a2, b0) + 2.0 * np.kron(a1, b1) + np.kron(a0, b2)
+    return result
 
 
 def _swung_start(form: Form, data: Data, at: FloatArray) -> FloatArray:
@@ -335,7 +324,8 @@ def _swung_start(form: Form, data: Data, at: FloatArray) -> FloatArray:
 
     def least(matrix: FloatArray, values: FloatArray) -> FloatArray:
         tiny = 1e-6 * float(np.trace(matrix.T @ matrix)) / matrix.shape[1]
-        return np.linalg.solve(matrix.T @ matrix + tiny * np.eye(matrix.shape[1]), matrix.T @ values)
+        found: Any = np.linalg.solve(matrix.T @ matrix + tiny * np.eye(matrix.shape[1]), matrix.T @ values)
+        return np.asarray(found)
 
     r, z = least(along, radius), least(along, p[:, 2])
     near = (along @ r)[:, None] * around

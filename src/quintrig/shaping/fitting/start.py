@@ -1,14 +1,14 @@
 """First parameters of points that are to be fitted: where in the square each may lie."""
 
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
-from scipy import sparse
-from scipy.sparse import linalg
 from scipy.spatial import ConvexHull, QhullError
 
-from quintrig.scan.scan import Scan
+from quintrig.scan.scan import Scan, Triangles
 from quintrig.support.arrays import FloatArray
+from quintrig.support.scipy_inside import sparse_, sparse_linalg_
 
 _MOST_HULL = 48
 
@@ -65,7 +65,8 @@ def _rectangle(plane: FloatArray) -> FloatArray:
         return _unit(plane)
     sides = np.diff(np.concatenate([hull, hull[:1]]), axis=0)
     best, area = plane, np.inf
-    for angle in np.unique(np.round(np.arctan2(sides[:, 1], sides[:, 0]) % (0.5 * np.pi), 4)):
+    turns: list[float] = np.unique(np.round(np.arctan2(sides[:, 1], sides[:, 0]) % (0.5 * np.pi), 4)).tolist()
+    for angle in turns:
         c, s = np.cos(angle), np.sin(angle)
         turn = np.array([[c, -s], [s, c]])
         here = float(np.prod(np.ptp(hull @ turn, axis=0)))
@@ -191,16 +192,16 @@ def _harmonic(scan: Scan, plane: FloatArray) -> FloatArray | None:
     sides = np.concatenate([sides, sides[:, ::-1]])
     weight = 1.0 / np.maximum(np.linalg.norm(scan.points[sides[:, 0]] - scan.points[sides[:, 1]], axis=1), 1e-300)
     count = len(scan.points)
-    links = sparse.csr_matrix((weight, (sides[:, 0], sides[:, 1])), shape=(count, count))
-    full = sparse.diags(np.asarray(links.sum(axis=1)).ravel()) - links
+    links: Any = sparse_.csr_matrix((weight, (sides[:, 0], sides[:, 1])), shape=(count, count))
+    full: Any = sparse_.diags(np.asarray(links.sum(axis=1)).ravel()) - links
     inner = np.setdiff1d(np.arange(count), loop)
     if len(inner):
         right = -full[inner][:, loop] @ result[loop]
-        result[inner] = linalg.splu(full[inner][:, inner].tocsc()).solve(np.asarray(right))
+        result[inner] = sparse_linalg_.splu(full[inner][:, inner].tocsc()).solve(np.asarray(right))
     return np.clip(result, 0.0, 1.0) if np.isfinite(result).all() else None
 
 
-def border(triangles: FloatArray) -> FloatArray | None:
+def border(triangles: Triangles) -> Triangles | None:
     """Return the points of the only border of a mesh, in turn; None where there is none, or several."""
     sides = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
     _, back, count = np.unique(np.sort(sides, axis=1), axis=0, return_inverse=True, return_counts=True)
