@@ -12,7 +12,7 @@ import platform  # noqa: E402
 from importlib.metadata import version  # noqa: E402
 from pathlib import Path  # noqa: E402
 
-from bench import accuracy, integrals, kept, peers, speed, startup, sweeps  # noqa: E402
+from bench import accuracy, integrals, kept, peers, scans, speed, startup, sweeps  # noqa: E402
 
 PARTS = {
     "accuracy": accuracy,
@@ -20,6 +20,7 @@ PARTS = {
     "speed": speed,
     "peers": peers,
     "sweeps": sweeps,
+    "scans": scans,
     "startup": startup,
 }
 

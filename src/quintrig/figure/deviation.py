@@ -5,6 +5,7 @@ from typing import Any
 import matplotlib
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 
 from quintrig.scan.deviation import Deviation
 
@@ -40,6 +41,7 @@ def deviation_picture(result: Deviation, title: str = "", width: float = 8.0) ->
     )
     space.set_aspect("equal")
     for axis in "xyz":
+        getattr(space, f"{axis}axis").set_major_locator(MaxNLocator(4))
         getattr(space, f"set_{axis}label")(f"{axis} ({result.unit})" if result.unit else axis)
     space.tick_params(labelsize=7)
     unit = f" ({result.unit})" if result.unit else ""

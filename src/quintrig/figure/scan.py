@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 from quintrig.figure.camera import ISO, View
@@ -42,7 +43,8 @@ def scan_picture(
         axes.set_aspect("equal")
         axes.tick_params(labelsize=6)
         for axis in "xyz":
-            getattr(axes, f"set_{axis}label")(f"{axis} ({scan.unit})" if scan.unit else axis, fontsize=7)
+            getattr(axes, f"{axis}axis").set_major_locator(MaxNLocator(4))
+        getattr(axes, f"set_{axis}label")(f"{axis} ({scan.unit})" if scan.unit else axis, fontsize=7)
     if title:
         drawn: Any = figure
         drawn.suptitle(title, fontsize=11)

@@ -37,9 +37,16 @@ def tabulate_scan(
         elif q.kind == "vector":
             if key != "point":
                 columns += [
-                    _numbers(f"{key}_{axis}", f"{q.symbol}_{axis}", f"{{{q.latex}}}_{axis}", f"{axis} of the {q.name}", "", values[:, k])
+                    _numbers(
+                        f"{key}_{axis}",
+                        f"{q.symbol}_{axis}",
+                        f"{{{q.latex}}}_{axis}",
+                        f"{axis} of the {q.name}",
+                        "",
+                        values[:, k],
+                    )
                     for k, axis in enumerate("xyz")
-                ]  # fmt: skip
+                ]
         else:
             columns.append(_numbers(key, q.symbol, q.latex, q.name, q.unit(unit), values))
             latex = rf"\Delta {q.latex}"

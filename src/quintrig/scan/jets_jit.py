@@ -33,7 +33,7 @@ def jets(
     """Write the first and second derivatives of the height over the tangent plane at each point, and how sure they are.
 
     ``near`` (n, k) are the neighbours of ``at`` (n, 3) among ``points``, ``frames`` (n, 3, 3) rows e1, e2, n.
-    ``values`` (n, 5) are of ``degree``, ``check`` (n, 5) of the degree ``upper``, from one decomposition. ``covariance``
+    ``values`` (n, 5) are of ``degree``, ``check`` (n, 5) of the degree ``upper``, by one decomposition. ``covariance``
     (n, 5, 5) is that of the values for residuals of size 1, ``residual`` (n,) the size of those, length¹, and ``gap``
     (n,) the widest angle without neighbours.
     """

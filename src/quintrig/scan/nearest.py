@@ -1,8 +1,8 @@
 """The nearest points of surfaces to many points: nothing missed at folds and edges, a million points in seconds.
 
 Each surface is held as polynomial pieces that meet it within 1e-11 of its size, and as triangles with a bound on how
-far the surface is from each. The search in ``nearest_jit`` needs nothing else, whatever the surface is made of; the points
-that it finds are then taken on the surface itself.
+far the surface is from each. The search in ``nearest_jit`` needs nothing else, whatever the surface is made of; the
+points that it finds are then taken on the surface itself.
 """
 
 import os

@@ -57,10 +57,10 @@ def fit(
     ``target`` is what ``deviation`` takes. ``kind`` is tensor, symmetric, swept, swung, ruled, plane, sphere, cylinder,
     cone, torus or curve. ``shape`` fixes the shape parameters of the ``basis`` where it starts, frees them, or gives
     their values; ``size`` is the number of control points each way. ``patches`` (n, m) are joined with G1 or G2;
-    without them a ``tolerance``, length¹, may take as many as 8 x 8. ``boundary`` "curves" draws the edges to the border of the
-    points, curves hold them there. ``smooth`` weighs thin-plate energy against the distances. Points farther than 6
-    standard deviations do not count where ``robust``, as it is for scans. ``mirror`` (a, b, c, d) is the plane of a
-    symmetric surface, found where none is given. Raises ValueError, ModelError or QuintrigError in one line.
+    without them a ``tolerance``, length¹, may take as many as 8 x 8. ``boundary`` "curves" draws the edges to the
+    border of the points, curves hold them there. ``smooth`` weighs thin-plate energy against the distances. Points
+    farther than 6 standard deviations do not count where ``robust``, as it is for scans. ``mirror`` (a, b, c, d) is the
+    plane of a symmetric surface, found where none is given. Raises ValueError, ModelError or QuintrigError in one line.
     """
     if kind not in ALL_KINDS:
         raise ValueError(f"kind: expected one of {', '.join(ALL_KINDS)}, got {kind!r}{nearest(kind, ALL_KINDS)}")
@@ -237,9 +237,7 @@ class _Work:
                 if high - low > 0.5 * (one.high - one.low):
                     notes.append(f"{label} is poorly determined by these points: 95 % interval {low:.3g} to {high:.3g}")
         if len(self.scan.points) * 3 < len(state.q):
-            notes.append(
-                f"{len(self.scan.points)} points do not determine {len(state.q)} numbers: the rest is as smooth as it gets"
-            )
+            notes.append(f"{len(self.scan.points)} points do not determine {len(state.q)} numbers: the rest is smooth")
         facts: dict[str, Any] = {"grid": list(form.grid), "join": self.join if form.patches > 1 else None}
         if self.kind == "symmetric":
             facts["mirror"] = dumps[0]["mirror"]

@@ -15,7 +15,7 @@ from quintrig.scan.scan import Scan
 from quintrig.shaping.fitting.forms import USUAL
 from quintrig.shaping.fitting.result import Fit, ShapeValue
 from quintrig.support.arrays import BoolArray, FloatArray, frozen
-from quintrig.support.scipy_inside import shortest, tree_of
+from quintrig.support.scipy_inside import linalg_, shortest, tree_of
 
 _FINE = 401  # parameters at which the nearest place is looked for
 _ROUNDS, _SETTLED = 150, 12  # rounds at most, and those before the shape parameters move
@@ -180,7 +180,7 @@ def _net(gap: FloatArray, f: FloatArray, weight: FloatArray, base: FloatArray, e
     matrix = matrix[free][:, :, free].reshape(len(free) * d, -1)
     wanted = np.einsum("ni,nxy,ny->ix", f, weight, right, optimize=True)[free].ravel()
     tiny = 1e-11 * float(np.trace(matrix)) / max(len(matrix), 1)
-    step: Any = np.linalg.solve(matrix + tiny * np.eye(len(matrix)), wanted)
+    step: FloatArray = linalg_.solve(matrix + tiny * np.eye(len(matrix)), wanted)
     result[free] += step.reshape(len(free), d)
     return result
 

@@ -311,8 +311,9 @@ def _thin_plate(u: Functions, v: Functions) -> FloatArray:
         [np.einsum("n,ni,nj->ij", w, d[k], d[k]) for k in range(3)] for d in (u.derivatives(t, 2), v.derivatives(t, 2))
     ]
     (a0, a1, a2), (b0, b1, b2) = grams
-    result: FloatArray = np.kron(a2, b0) + 2.0 * np.kron(a1, b1) + np.kron(a0, b2)
-    return result
+    pairs = ((1.0, a2, b0), (2.0, a1, b1), (1.0, a0, b2))
+    both: Any = sum(w * np.einsum("ij,kl->ikjl", a, b) for w, a, b in pairs)
+    return np.asarray(both).reshape(len(a0) * len(b0), -1)
 
 
 def _swung_start(form: Form, data: Data, at: FloatArray) -> FloatArray:
@@ -324,7 +325,7 @@ def _swung_start(form: Form, data: Data, at: FloatArray) -> FloatArray:
 
     def least(matrix: FloatArray, values: FloatArray) -> FloatArray:
         tiny = 1e-6 * float(np.trace(matrix.T @ matrix)) / matrix.shape[1]
-        found: Any = np.linalg.solve(matrix.T @ matrix + tiny * np.eye(matrix.shape[1]), matrix.T @ values)
+        found: Any = linalg_.solve(matrix.T @ matrix + tiny * np.eye(matrix.shape[1]), matrix.T @ values)
         return np.asarray(found)
 
     r, z = least(along, radius), least(along, p[:, 2])

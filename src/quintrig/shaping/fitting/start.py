@@ -69,7 +69,8 @@ def _rectangle(plane: FloatArray) -> FloatArray:
     for angle in turns:
         c, s = np.cos(angle), np.sin(angle)
         turn = np.array([[c, -s], [s, c]])
-        here = float(np.prod(np.ptp(hull @ turn, axis=0)))
+        turned = hull @ turn
+        here = float(np.prod(turned.max(axis=0) - turned.min(axis=0)))
         if here < area:
             best, area = plane @ turn, here
     return _unit(best)
