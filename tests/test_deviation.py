@@ -125,6 +125,13 @@ def test_from_the_model_to_triangles_and_to_surfaces():
         quintrig.deviation(surface, mesh, source="model")
 
 
+def _spiral(count):
+    """Points spread evenly over the unit sphere."""
+    z = 1 - (2 * np.arange(count) + 1) / count
+    turn = np.pi * (1 + 5**0.5) * np.arange(count)
+    return np.stack([np.sqrt(1 - z * z) * np.cos(turn), np.sqrt(1 - z * z) * np.sin(turn), z], axis=1)
+
+
 def test_on_the_command_line(tmp_path):
     run = cli_runner.quintrig
     model = quintrig.Model.from_dict({"kind": "tensor", "unit": "mm", "points": FLAT})
@@ -144,6 +151,13 @@ def test_on_the_command_line(tmp_path):
     assert rows[:, 3] == pytest.approx([1, -3])
     assert quintrig.read_scan(files[1]).points == pytest.approx(np.array([[50, 50, 1], [50, 50, -3]]))
     assert files[2].stat().st_size > 10_000
+    ball = quintrig.Model.from_dict({"kind": "sphere", "radius": 20, "unit": "mm"})
+    quintrig.save(ball, tmp_path / "ball.toml")
+    np.savetxt(tmp_path / "ball.xyz", 21 * _spiral(4000))
+    done = run("deviation", tmp_path / "ball.toml", tmp_path / "ball.xyz", "--curvature", "--json")
+    gaps = json.loads(done.out)["curvature"]
+    assert gaps["mean"]["mean"] == pytest.approx(1 / 20 - 1 / 21, rel=0.02)  # normals outwards: -1/21 + 1/20
+    assert gaps["gaussian"]["mean"] == pytest.approx(1 / 21**2 - 1 / 20**2, rel=0.02)
     far = run("deviation", tmp_path / "m.toml", scan, "--unit", "km")
     assert "check the units" in far.err
     for arguments, words in (

@@ -58,6 +58,9 @@ def deviation(
     ] = "target",
     face: TargetFace = None,
     patch: OnlyPatch = None,
+    curvature: Annotated[
+        bool, typer.Option("--curvature", help="Compare the curvature of the scan's points with the model's too.")
+    ] = False,
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON: min, max, mean, rms, percentiles, ...")] = False,
     output: Annotated[
         list[Path] | None,
@@ -90,10 +93,13 @@ def deviation(
     result = measure(loaded, aim, tolerance=tolerance, align=align, unit="", source=source)
     for note in result.notes:
         session.remark(note)
+    told = result.to_dict()
+    if curvature:
+        told["curvature"] = _gaps(result, aim, source)
     if as_json:
-        session.emit(json.dumps(result.to_dict(), ensure_ascii=False, indent=1))
+        session.emit(json.dumps(told, ensure_ascii=False, indent=1))
     else:
-        _tell(result)
+        _tell(result, told)
     for file in output or []:
         write(result, file, loaded.name, model, target)
 
@@ -125,7 +131,19 @@ def write(result: "Deviation", file: Path, title: str, *sources: Path) -> None:
         session.wrote(write_deviation(result, file), replaced)
 
 
-def _tell(result: "Deviation") -> None:
+def _gaps(result: "Deviation", aim: Any, source: str) -> dict[str, Any]:
+    from dataclasses import replace
+
+    from quintrig.scan.beside_design import curvature_gaps
+    from quintrig.scan.curvature import scan_curvature
+
+    if source == "model":
+        raise ValueError("--curvature: compares points of the target, not of the model; leave out --from model")
+    normals = aim.normals if result.motion is None else aim.moved(result.motion.matrix).normals
+    return curvature_gaps(result, scan_curvature(replace(aim, points=result.points, normals=normals)))
+
+
+def _tell(result: "Deviation", told: dict[str, Any]) -> None:
     from quintrig.exchange.tables import shown
     from quintrig.scan.deviation import SIGN
 
@@ -148,11 +166,18 @@ def _tell(result: "Deviation") -> None:
         row("within", f"{100 * result.within:.4g} % within ±{result.tolerance:g}{unit}")
     if result.edge.any():
         worst = float(abs(result.distance[result.edge]).max())
-        inner = result.to_dict()["orthogonal"]["rms"]
+        inner = told["orthogonal"]["rms"]
         row("at edges", f"{int(result.edge.sum()):,} points beyond the border, up to {shown(worst)}{unit} from it")
         if inner is not None:
             row("", f"rms of the others {shown(inner)}{unit}")
     if len(result.names) > 1:
-        for part in result.to_dict()["patches"]:
+        for part in told["patches"]:
             if part["points"]:
                 row("", f"{part['name']}: {part['points']:,} points, rms {shown(part['rms'])}{unit}")
+    gaps: dict[str, Any] = told.get("curvature", {})
+    for name, symbol in (("gaussian", "K"), ("mean", "H")):
+        one = gaps.get(name)
+        if one:
+            per = f" {one['unit']}" if one["unit"] else ""
+            share = f"{100 * one['within_error']:.3g} % within their error"
+            row(f"{symbol}, scan", f"differs from the model's by {shown(one['rms'], 4)}{per} (rms), {share}")

@@ -237,7 +237,7 @@ def _told(error: str, skip: int) -> str:
 
 
 def _mesh(raw: bytes, path: Path) -> Scan:
-    trimesh = need("trimesh", f"reading {path.suffix.lower()[1:].upper()} files")
+    trimesh = need("trimesh", "reading meshes")
     suffix = path.suffix.lower()[1:]
     try:
         # As it stands in the file: nothing merged, mended or thrown away.

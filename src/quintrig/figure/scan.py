@@ -7,7 +7,6 @@ import numpy as np
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
-from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 from quintrig.figure.camera import ISO, View
 from quintrig.figure.palette import class_colours, colour_map, limits, real_colours
@@ -44,7 +43,9 @@ def scan_picture(
         axes.tick_params(labelsize=6)
         for axis in "xyz":
             getattr(axes, f"{axis}axis").set_major_locator(MaxNLocator(4))
-        getattr(axes, f"set_{axis}label")(f"{axis} ({scan.unit})" if scan.unit else axis, fontsize=7)
+            getattr(axes, f"set_{axis}label")(f"{axis} ({scan.unit})" if scan.unit else axis, fontsize=7)
+        for axis in "xyz":
+            getattr(axes, f"set_{axis}label")(f"{axis} ({scan.unit})" if scan.unit else axis, fontsize=7)
     if title:
         drawn: Any = figure
         drawn.suptitle(title, fontsize=11)
@@ -77,11 +78,17 @@ def _coloured(figure: Any, axes: Any, found: ScanCurvature, q: Quantity) -> Floa
 def _draw(axes: Any, scan: Scan, colours: FloatArray, shade: bool) -> None:
     p = scan.points
     if scan.triangles is not None and len(scan.triangles) <= _MOST:
-        faces = Poly3DCollection(p[scan.triangles], shade=shade, facecolors=colours[scan.triangles].mean(axis=1))
-        axes.add_collection3d(faces)
-        for k, axis in enumerate("xyz"):
-            getattr(axes, f"set_{axis}lim")(float(p[:, k].min()), float(p[:, k].max()) or 1.0)
+        faces = axes.plot_trisurf(*p.T, triangles=scan.triangles, shade=False, linewidth=0.0, antialiased=False)
+        shades = colours[scan.triangles].mean(axis=1)
+        faces.set_facecolors(shades * _lit(scan)[:, None] if shade else shades)
         return
     chosen = np.linspace(0, len(p) - 1, min(len(p), _MOST)).astype(int)
     size = max(1.0, min(14.0, 30_000 / len(chosen)))
     axes.scatter(*p[chosen].T, c=colours[chosen], s=size, linewidths=0.0, depthshade=False)
+
+
+def _lit(scan: Scan) -> FloatArray:
+    """Return how bright each triangle is (m,), from one half to one, by the tilt of its plane."""
+    a, b, c = (scan.points[scan.triangles][:, k] for k in range(3))
+    across = np.cross(b - a, c - a)
+    return 0.5 + 0.5 * np.abs(across[:, 2]) / np.maximum(np.linalg.norm(across, axis=1), 1e-300)

@@ -17,6 +17,9 @@ MOST = 96
 """Starts of Newton's iteration at one point that are kept; only points as good as equally far from a whole surface, as
 the centre of a sphere is, have more."""
 
+_LAST = 1e-6
+"""A step of Newton's over parameters as short as this is the last: the next would be of the order of its square."""
+
 Ints = NDArray[np.int64]
 
 
@@ -161,7 +164,7 @@ def descend(
                 break
             share *= 0.5 if share > 0.1 else 0.1
         u, v = best_u, best_v
-        if not moved or (newton and step_u < 1e-7 and step_v < 1e-7):
+        if not moved or (newton and step_u < _LAST and step_v < _LAST):
             break
     return here, u, v
 
@@ -187,6 +190,7 @@ def nearest(
     """
     leaves = boxes.shape[0] // 2
     stack = np.empty(128, dtype=np.int64)
+    aways = np.empty(128)
     lows = np.empty(MOST)
     starts = np.empty((MOST, 2))
     whose = np.empty(MOST, dtype=np.int64)
@@ -197,19 +201,21 @@ def nearest(
         p = points[k]
         upper = np.inf
         count = 0
-        stack[0] = 1
+        stack[0], aways[0] = 1, 0.0
         top = 1
         while top:
             top -= 1
             node = stack[top]
-            if box_distance(boxes, node, p) > upper * upper:
+            if aways[top] > upper * upper:
                 continue
             if node < leaves:
                 one, other = 2 * node, 2 * node + 1
-                if box_distance(boxes, one, p) < box_distance(boxes, other, p):
+                first_gap, second_gap = box_distance(boxes, one, p), box_distance(boxes, other, p)
+                if first_gap < second_gap:
                     one, other = other, one
-                stack[top] = one
-                stack[top + 1] = other
+                    first_gap, second_gap = second_gap, first_gap
+                stack[top], aways[top] = one, first_gap
+                stack[top + 1], aways[top + 1] = other, second_gap
                 top += 2
                 continue
             first = (node - leaves) * leaf
@@ -323,22 +329,25 @@ def nearest_triangle(
     """Write distance and the two shares to ``found`` (n, 3), and the number of the triangle to ``which`` (n,)."""
     leaves = boxes.shape[0] // 2
     stack = np.empty(128, dtype=np.int64)
+    aways = np.empty(128)
     for k in range(points.shape[0]):
         p = points[k]
         best = np.inf
-        stack[0] = 1
+        stack[0], aways[0] = 1, 0.0
         top = 1
         while top:
             top -= 1
             node = stack[top]
-            if box_distance(boxes, node, p) > best * best:
+            if aways[top] > best * best:
                 continue
             if node < leaves:
                 one, other = 2 * node, 2 * node + 1
-                if box_distance(boxes, one, p) < box_distance(boxes, other, p):
+                first_gap, second_gap = box_distance(boxes, one, p), box_distance(boxes, other, p)
+                if first_gap < second_gap:
                     one, other = other, one
-                stack[top] = one
-                stack[top + 1] = other
+                    first_gap, second_gap = second_gap, first_gap
+                stack[top], aways[top] = one, first_gap
+                stack[top + 1], aways[top + 1] = other, second_gap
                 top += 2
                 continue
             for m in range((node - leaves) * leaf, (node - leaves + 1) * leaf):

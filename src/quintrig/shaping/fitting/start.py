@@ -69,7 +69,7 @@ def _rectangle(plane: FloatArray) -> FloatArray:
     for angle in turns:
         c, s = np.cos(angle), np.sin(angle)
         turn = np.array([[c, -s], [s, c]])
-        turned = hull @ turn
+        turned: FloatArray = np.asarray(hull @ turn)
         here = float(np.prod(turned.max(axis=0) - turned.min(axis=0)))
         if here < area:
             best, area = plane @ turn, here
