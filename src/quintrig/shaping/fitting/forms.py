@@ -212,8 +212,8 @@ def joined_space(functions: Functions, pieces: int, order: int) -> FloatArray:
     """Return a matrix (pieces x size, unknowns): coefficients of neighbours that join with ``order`` derivatives.
 
     The pieces are of equal length, so that derivatives by the parameter of each agree as they are. Its columns span all
-    such coefficients; where the derivatives at an end are those of the points next to it alone, as with most bases, each
-    unknown acts on one piece or two.
+    such coefficients; where the derivatives at an end are those of the points next to it alone, as with most bases,
+    each unknown acts on one piece or two.
     """
     size, few = functions.size, order + 1
     if pieces == 1:

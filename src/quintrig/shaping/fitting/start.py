@@ -68,8 +68,8 @@ def _rectangle(plane: FloatArray) -> FloatArray:
     turns: list[float] = np.unique(np.round(np.arctan2(sides[:, 1], sides[:, 0]) % (0.5 * np.pi), 4)).tolist()
     for angle in turns:
         c, s = np.cos(angle), np.sin(angle)
-        turn = np.array([[c, -s], [s, c]])
-        turned: FloatArray = np.asarray(hull @ turn)
+        turn: FloatArray = np.array([[c, -s], [s, c]], dtype=np.float64)
+        turned = hull @ turn
         here = float(np.prod(turned.max(axis=0) - turned.min(axis=0)))
         if here < area:
             best, area = plane @ turn, here
