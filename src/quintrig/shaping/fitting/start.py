@@ -69,8 +69,8 @@ def _rectangle(plane: FloatArray) -> FloatArray:
     for angle in turns:
         c, s = np.cos(angle), np.sin(angle)
         turn: FloatArray = np.array([[c, -s], [s, c]], dtype=np.float64)
-        turned = hull @ turn
-        here = float(np.prod(turned.max(axis=0) - turned.min(axis=0)))
+        wide, high = ((hull @ turn).max(axis=0) - (hull @ turn).min(axis=0)).tolist()
+        here = wide * high
         if here < area:
             best, area = plane @ turn, here
     return _unit(best)
