@@ -79,7 +79,7 @@ def test_outliers_and_weights():
 
 
 def test_patches_join_as_asked_and_a_tolerance_takes_as_many_as_it_needs():
-    t = np.linspace(0, 1, 45)
+    t = np.linspace(0, 1, 30)
     x, y = (10 * a.ravel() for a in np.meshgrid(t, t))
     points = np.stack([x, y, np.sin(1.3 * x) * np.cos(1.1 * y)], axis=-1)
     fits = {join: quintrig.fit(points, patches=(2, 2), join=join) for join in ("G1", "G2")}
