@@ -12,7 +12,7 @@ import platform  # noqa: E402
 from importlib.metadata import version  # noqa: E402
 from pathlib import Path  # noqa: E402
 
-from bench import accuracy, integrals, kept, peers, proofs, speed, startup, sweeps  # noqa: E402
+from bench import accuracy, integrals, kept, peers, proofs, scans, speed, startup, sweeps  # noqa: E402
 
 PARTS = {
     "accuracy": accuracy,
@@ -21,6 +21,7 @@ PARTS = {
     "peers": peers,
     "proofs": proofs,
     "sweeps": sweeps,
+    "scans": scans,
     "startup": startup,
 }
 

@@ -3,10 +3,12 @@
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+import numpy as np
 from matplotlib.figure import Figure
 
 import quintrig
 from quintrig.figure import Scene, comparison, panels, save, space_picture
+from quintrig.figure.deviation import deviation_picture
 from quintrig.figure.parallel import parallel_coordinates
 from quintrig.sweep import Axis, DesignSpace, Question, Task, open_sweep, run, select
 
@@ -41,6 +43,19 @@ def main() -> None:
     )
     save(quintrig.plot(boot, lines=lights), OUT / "boot_reflection.png", dpi=110)
     save(lids(boot), OUT / "sweep.png", dpi=110)
+    save(measured(boot), OUT / "deviation.png", dpi=100)
+
+
+def measured(boot: quintrig.Model) -> Figure:
+    """Return the deviation of a made-up scan, with a dent of 0.4 mm, from the surface fitted to it."""
+    rng = np.random.default_rng(1)
+    surface = boot.surface
+    u, v = rng.random((2, 4000))
+    sample = quintrig.analyse(surface, u, v, ("point", "normal"))
+    dent = 0.4 * np.exp(-((u - 0.6) ** 2 + (v - 0.4) ** 2) / 0.01)
+    points = sample.point + (0.05 * rng.normal(size=4000) - dent)[:, None] * sample.normal
+    result = quintrig.deviation(boot, quintrig.Scan(points, unit=boot.unit), tolerance=0.1)
+    return deviation_picture(result, "A scan of the car boot", 9.0)
 
 
 def lids(boot: quintrig.Model) -> Figure:

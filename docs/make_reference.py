@@ -26,6 +26,16 @@ CHAPTERS = {
         "regression",
         "Surface",
     ),
+    "Measured points": (
+        "read_scan",
+        "Scan",
+        "deviation",
+        "Deviation",
+        "fit",
+        "Fit",
+        "scan_curvature",
+        "ScanCurvature",
+    ),
     "Reference surfaces": (
         "sphere",
         "ellipsoid",

@@ -16,7 +16,7 @@ ROOMS = (
     "geometry",
     "kernel developables model enclosures",
     "analysis",
-    "interrogation sweep multipatch",
+    "interrogation sweep multipatch scan",
     "builders figure shaping mesh",
     "exchange",
     "studio",

@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from quintrig.exchange.export import export as export
     from quintrig.exchange.imports import open_model as open_model
     from quintrig.exchange.lines import write_lines as write_lines
+    from quintrig.exchange.scans import read_scan as read_scan
     from quintrig.figure.plot import plot as plot
     from quintrig.figure.style import Style as Style
     from quintrig.geometry.closed_forms import catenoid as catenoid
@@ -73,8 +74,15 @@ if TYPE_CHECKING:
     from quintrig.multipatch.find import find_joins as find_joins
     from quintrig.multipatch.joins import Joins as Joins
     from quintrig.quantities.classify import Thresholds as Thresholds
+    from quintrig.scan.curvature import ScanCurvature as ScanCurvature
+    from quintrig.scan.curvature import scan_curvature as scan_curvature
+    from quintrig.scan.deviation import Deviation as Deviation
+    from quintrig.scan.deviation import deviation as deviation
+    from quintrig.scan.scan import Scan as Scan
     from quintrig.shaping.fair import Fairing as Fairing
     from quintrig.shaping.fair import fair as fair
+    from quintrig.shaping.fit import fit as fit
+    from quintrig.shaping.fitting.result import Fit as Fit
     from quintrig.support.errors import ModelError as ModelError
 
 __version__ = "0.1.0"
@@ -104,6 +112,12 @@ _HOME = {
     "interrogation.find": ("lines",),
     "interrogation.line": ("Line", "Lines"),
     "interrogation.umbilics": ("Umbilics", "umbilics"),
+    "exchange.scans": ("read_scan",),
+    "scan.curvature": ("ScanCurvature", "scan_curvature"),
+    "scan.deviation": ("Deviation", "deviation"),
+    "scan.scan": ("Scan",),
+    "shaping.fit": ("fit",),
+    "shaping.fitting.result": ("Fit",),
     "support.errors": ("ModelError",),
     "model.model": ("Model", "load"),
     "model.save": ("save",),
@@ -145,6 +159,10 @@ late.register("joins", lambda *args, **words: import_module("quintrig.multipatch
 late.register("hold", lambda *model: import_module("quintrig.multipatch.hold").hold(*model))
 for _to in ("to_build123d", "to_compas", "to_pyvista", "to_rhino3dm", "to_trimesh"):
     late.register(_to, partial(_hand, _to))
+late.register("open_model", lambda path: import_module("quintrig.exchange.imports").open_model(path))
+late.register("open_target", lambda *given: import_module("quintrig.exchange.scans").open_target(*given))
+late.register("sampled_target", lambda *given: import_module("quintrig.exchange.scans").sampled(*given))
+late.register("scan_suffixes", lambda: import_module("quintrig.exchange.scans").SCAN_SUFFIXES)
 display.register(lambda value: import_module("quintrig.studio.notebook").bundle(value))
 _WHERE = {name: module for module, names in _HOME.items() for name in names}
 

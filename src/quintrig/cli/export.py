@@ -7,6 +7,7 @@ import typer
 
 from quintrig.cli import session
 from quintrig.cli.options import Force, ModelFile, OnlyPatch
+from quintrig.cli.scans import ScanUnit, curvature, is_scan
 
 _EPILOG = session.examples(
     ("quintrig export lid.toml lid.step", "the exact surface for CAD, read back and compared"),
@@ -55,6 +56,7 @@ def export(
     ] = None,
     grid: Annotated[str | None, typer.Option(metavar="NUxNV", help="Mesh: points along u and v instead.")] = None,
     colour: Annotated[str, typer.Option(metavar="KEY", help="Mesh: quantity to colour by, or none.")] = "gaussian",
+    unit: ScanUnit = "",
     force: Force = False,
 ) -> None:
     """Write a model for other programs: CAD, mesh, or control net, by the ending of OUT.
@@ -65,7 +67,18 @@ def export(
     A .csv holds one net of points. Of a model with several nets, such as section and trajectory, OUT.csv becomes
     OUT-section.csv and OUT-trajectory.csv, and there is no OUT.csv. Every file written is named. Other files are
     replaced, and this is said; model files only with --force, and never the one that is read.
+
+    A scan (.csv .xyz .ply .obj .stl) is written with the curvature of its points, as .ply, .csv or .json.
     """
+    if is_scan(model):
+        from quintrig.exchange.scan_files import export_scan
+        from quintrig.support.files import refuse_loss as refuse
+
+        refuse(output, model, force=force)
+        replaced = output.is_file()
+        found = curvature(model, unit)
+        session.wrote(export_scan(found, output, None if colour == "none" else colour), replaced)
+        return
     from quintrig.exchange.cad.fit import FitOptions
     from quintrig.exchange.cad.save import CadOptions
     from quintrig.exchange.export import ExportOptions, MeshOptions, targets

@@ -7,6 +7,7 @@ import typer
 
 from quintrig.cli import session
 from quintrig.cli.options import Force
+from quintrig.cli.scans import ScanUnit, is_scan
 
 if TYPE_CHECKING:
     from quintrig.model.model import Model
@@ -28,7 +29,12 @@ def register(app: typer.Typer) -> None:
 
 def import_(
     file: Annotated[
-        Path, typer.Argument(metavar="FILE", help="STEP, IGES, BREP, 3DM, CSV or JSON file.", show_default=False)
+        Path,
+        typer.Argument(
+            metavar="FILE",
+            help="STEP, IGES, BREP, 3DM, CSV or JSON file; a scan: XYZ, PLY, OBJ, STL.",
+            show_default=False,
+        ),
     ],
     output: Annotated[
         Path | None, typer.Option("-o", "--output", metavar="OUT", help="Model to write, .toml or .json; a net: .csv.")
@@ -46,6 +52,7 @@ def import_(
     kind: Annotated[
         Literal["tensor"], typer.Option(help="Kind of the model that a CSV or JSON net becomes.")
     ] = "tensor",
+    unit: ScanUnit = "",
     force: Force = False,
 ) -> None:
     """Turn faces of CAD files into models, exactly, and curves and nets into control points.
@@ -56,6 +63,9 @@ def import_(
     from quintrig.exchange.imports import CAD_SUFFIXES, contents
     from quintrig.support.errors import QuintrigError
 
+    if _is_scan(file):
+        _scan(file, output, unit, listing)
+        return
     if listing:
         if file.suffix.lower() not in CAD_SUFFIXES:
             raise QuintrigError(f"{file}: expected a CAD file to list ({', '.join(CAD_SUFFIXES)})")
@@ -82,6 +92,34 @@ def import_(
         raise QuintrigError(f"{file}: expected a file ending in {', '.join(CAD_SUFFIXES)}, .csv or .json")
     model = model_from_net(file, {"kind": kind}) if is_net else open_model(file, face)
     _write(model, output, force, file)
+
+
+def _is_scan(file: Path) -> bool:
+    """Return whether a file holds points that are no control net: a CSV may be one."""
+    return is_scan(file) and file.suffix.lower() != ".csv"
+
+
+def _scan(file: Path, output: Path | None, unit: str, listing: bool) -> None:
+    """Print what a scan holds, or write its points as CSV."""
+    from quintrig.exchange.scans import read_scan
+    from quintrig.support.errors import QuintrigError
+
+    scan = read_scan(file, unit)
+    for note in scan.notes:
+        session.remark(note)
+    if listing:
+        mesh = f", triangles {len(scan.triangles):,}" if scan.triangles is not None else ""
+        normals = ", with normals" if scan.normals is not None else ""
+        session.emit(
+            f"{scan.name}: points {len(scan.points):,}{mesh}{normals}, unit {scan.unit or 'none stated'}, "
+            f"size {scan.size:.6g}"
+        )
+        return
+    if output is None or output.suffix.lower() != ".csv":
+        raise QuintrigError(f"{file}: a scan is written as .csv points; a fit makes a model of it (quintrig fit)")
+    from quintrig.exchange.scans import to_csv
+
+    session.deliver(to_csv(scan), output, file)
 
 
 def _write(model: "Model", output: Path, force: bool, *sources: Path) -> None:

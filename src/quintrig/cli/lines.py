@@ -144,10 +144,10 @@ def _refuse_output(output: Path | None) -> None:
     from quintrig.support.files import refuse_unwritable
 
     if output is not None and str(output) != "-":
-        from quintrig.exchange.lines import SUFFIXES
+        from quintrig.exchange.lines import LINE_SUFFIXES
 
-        if output.suffix.lower() not in SUFFIXES:
-            raise ValueError(f"{output}: expected a name ending in {', '.join(SUFFIXES)}")
+        if output.suffix.lower() not in LINE_SUFFIXES:
+            raise ValueError(f"{output}: expected a name ending in {', '.join(LINE_SUFFIXES)}")
         refuse_unwritable(output)
 
 

@@ -7,6 +7,8 @@ import typer
 
 from quintrig.cli import session
 from quintrig.cli.options import Face, Listing, ModelFile, OnlyPatch, Whole
+from quintrig.cli.scans import Degree, Neighbours, ScanUnit, is_scan
+from quintrig.cli.scans import draw as draw_scan
 from quintrig.cli.style import with_style
 
 if TYPE_CHECKING:
@@ -21,6 +23,7 @@ _EPILOG = session.examples(
     ("quintrig plot lid.toml -q surface,gaussian,mean -o lid.svg", "three pictures side by side"),
     ("quintrig plot lid.toml -q mean --view 30,20 -o h.png", "seen from azimuth 30°, elevation 20°"),
     ("quintrig plot lid.toml --lines curvature -o lines.png", "with a net of lines of curvature"),
+    ("quintrig plot scan.ply -q mean -o h.png", "a scan, coloured by the curvature of its points"),
     ("quintrig plot lid.toml --view all -o lid.png", "side, back and top view"),
 )
 
@@ -68,15 +71,23 @@ def plot(
     listing: Listing = False,
     face: Face = None,
     whole: Whole = False,
+    unit: ScanUnit = "",
+    neighbours: Neighbours = None,
+    degree: Degree = None,
     style: "Style | None" = None,
 ) -> None:
     """Draw a model in space, with true proportions, or as flat maps over its parameters.
 
     One picture a quantity, each with its scale; surface stands for the plain surface.
 
+    Of a scan (.csv .xyz .ply .obj .stl) the colours show the curvature of its points themselves.
+
     Of a model of curves, -q takes curve, comb, hull, curvature or torsion; the last two run over arc length where the
     curves go on end to end. Curves beside surfaces are drawn with them.
     """
+    if is_scan(model):
+        draw_scan(model, output, quantities, view, width, dpi, unit, neighbours, degree)
+        return
     loaded = session.load_any(model, face, whole)
     chosen = _chosen(loaded, patch, shape)
     from quintrig.figure.plot import plot as draw

@@ -7,6 +7,7 @@ import typer
 
 from quintrig.cli import session
 from quintrig.cli.options import Face, ModelFile, Whole
+from quintrig.cli.scans import ScanUnit, curvature, is_scan
 
 _EPILOG = session.examples(
     ("quintrig report car_boot.toml out/car_boot", "writes the page into the folder out/car_boot"),
@@ -28,8 +29,17 @@ def report(
     ] = "",
     face: Face = None,
     whole: Whole = False,
+    unit: ScanUnit = "",
 ) -> None:
-    """Write a page on a model: figures, tables, integrals, how far the methods agree, warnings."""
+    """Write a page on a model: figures, tables, integrals, how far the methods agree, warnings.
+
+    On a scan (.csv .xyz .ply .obj .stl) it shows the curvature of its points, with errors.
+    """
+    if is_scan(model):
+        from quintrig.report.scan_page import write_scan_report
+
+        session.done(write_scan_report(curvature(model, unit), out))
+        return
     loaded = session.load_any(model, face, whole)
     from quintrig.report import write_report
 

@@ -8,6 +8,7 @@ import typer
 
 from quintrig.cli import session
 from quintrig.cli.options import Face, Listing, ModelFile, WhichPatch, Whole
+from quintrig.cli.scans import Degree, Neighbours, ScanUnit, curvature, is_scan, table_of
 from quintrig.cli.show import print_table
 
 if TYPE_CHECKING:
@@ -23,6 +24,7 @@ _EPILOG = session.examples(
     ("quintrig table lid.toml --at 0.5,0.5 --at 0,1", "two points"),
     ("quintrig table lid.toml --grid 50x50 -o lid.csv", "2500 points with every digit, for other programs"),
     ("quintrig table lid.toml -q gaussian,mean -o lid.tex", "K and H alone, for a paper"),
+    ("quintrig table scan.ply -o curvature.csv", "curvature of a scan's points, with an error for each value"),
     ("quintrig table lid.toml --metric both -q beta0,beta1", "invariants in both metrics"),
 )
 
@@ -64,15 +66,27 @@ def table(
     listing: Listing = False,
     face: Face = None,
     whole: Whole = False,
+    unit: ScanUnit = "",
+    neighbours: Neighbours = None,
+    degree: Degree = None,
 ) -> None:
     """Give position, curvatures, types and invariants at chosen points.
 
     Gaussian and mean curvature, principal curvatures, shape index and curvedness, the four classifications and the six
     algebraic invariants. It says the unit, which way the normal points, and what counts as zero.
+
+    Of a scan (.csv .xyz .ply .obj .stl) it gives the curvature of its points themselves, each value with its error.
     """
     import numpy as np
 
     chosen = _format(form, output)
+    if is_scan(model):
+        if at or grid or points:
+            raise ValueError("--at, --grid and --points: belong to surfaces; of a scan all points are taken")
+        names = [word.strip() for word in quantities.split(",")] if quantities is not None else None
+        found = curvature(model, unit, neighbours, degree)
+        _deliver(table_of(found, names, chosen != "text"), chosen, output, digits, siunitx, model)
+        return
     loaded = session.load_any(model, face)
     if not loaded.patches or patch in [one.name for one in loaded.curves]:
         _deliver(_of_curve(loaded, patch, at, grid), chosen, output, digits, siunitx, model)

@@ -18,7 +18,7 @@ from quintrig.support.errors import ArgumentError, QuintrigError
 from quintrig.support.extras import need
 from quintrig.support.files import write_whole
 
-SUFFIXES = (".csv", ".json", ".dxf", ".svg", ".3dm", ".step", ".stp")
+LINE_SUFFIXES = (".csv", ".json", ".dxf", ".svg", ".3dm", ".step", ".stp")
 """Endings of the files that lines can be written to."""
 
 COLOURS = ("#b2182b", "#2166ac", "#009e73", "#e69f00", "#cc79a7", "#56b4e9", "#7d7d7d")
@@ -47,8 +47,8 @@ def write_lines(lines: Lines, path: str | Path, view: str = "iso") -> tuple[str,
     """
     path = Path(path)
     suffix = path.suffix.lower()
-    if suffix not in SUFFIXES:
-        raise QuintrigError(f"{path}: expected a name ending in {', '.join(SUFFIXES)}")
+    if suffix not in LINE_SUFFIXES:
+        raise QuintrigError(f"{path}: expected a name ending in {', '.join(LINE_SUFFIXES)}")
     notes: tuple[str, ...] = ()
     if suffix == ".csv":
         data: str | bytes = csv_text(lines)

@@ -9,6 +9,7 @@ EXTRAS = {
     "OCP": ("cad", "OpenCASCADE"),
     "rhino3dm": ("cad", "rhino3dm"),
     "meshio": ("mesh", "meshio"),
+    "trimesh": ("mesh", "trimesh"),
     "ezdxf": ("flat", "ezdxf"),
     "polars": ("sweep", "Polars"),
     "pyarrow": ("sweep", "pyarrow"),
@@ -18,7 +19,6 @@ EXTRAS = {
     "pyvista": ("tools", "PyVista"),
     "build123d": ("tools", "build123d"),
     "compas": ("tools", "COMPAS"),
-    "trimesh": ("tools", "trimesh"),
     "sympy": ("formulas", "SymPy"),
 }
 """The extra of this package and the name of the project, by Python module."""

@@ -1,0 +1,82 @@
+"""What commands do with a scan in the place of a model: the curvature of its points, with errors."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from quintrig.cli import session
+
+if TYPE_CHECKING:
+    from quintrig.analysis.table import Table
+    from quintrig.scan.curvature import ScanCurvature
+
+_SHOWN = 25  # points of a table on the screen
+
+ScanUnit = Annotated[str, typer.Option("--unit", metavar="UNIT", help="Of a scan: its unit, where it states none.")]
+Neighbours = Annotated[
+    int | None, typer.Option(metavar="N", help="Of a scan: points around each that its curvature is taken from.")
+]
+Degree = Annotated[
+    int | None, typer.Option(metavar="D", help="Of a scan: degree of the polynomials over them, 2 to 5.")
+]
+
+
+def is_scan(path: Path) -> bool:
+    """Return whether a file is read as a scan, by its ending."""
+    from quintrig.exchange.scans import SCAN_SUFFIXES
+
+    return path.suffix.lower() in SCAN_SUFFIXES
+
+
+def curvature(path: Path, unit: str, neighbours: int | None = None, degree: int | None = None) -> "ScanCurvature":
+    """Return the curvature of a scan; ModelError or QuintrigError in one line."""
+    from quintrig.exchange.scans import read_scan
+    from quintrig.scan.curvature import scan_curvature
+
+    scan = read_scan(path, unit)
+    for note in scan.notes:
+        session.remark(note)
+    return scan_curvature(scan, degree=degree, neighbours=neighbours)
+
+
+def table_of(found: "ScanCurvature", quantities: Sequence[str] | None, all_points: bool) -> "Table":
+    """Return the table of a scan: of all points, or of some spread evenly through the file for the screen."""
+    import numpy as np
+
+    from quintrig.scan.curvature_table import tabulate_scan
+
+    count = len(found.scan.points)
+    chosen = None if all_points or count <= _SHOWN else np.linspace(0, count - 1, _SHOWN).astype(int)
+    if chosen is not None:
+        session.remark(f"{_SHOWN} of {count:,} points, spread evenly through the file; -o FILE.csv has all")
+    return tabulate_scan(found, quantities, chosen, found.scan.name)
+
+
+def draw(
+    path: Path,
+    output: Path,
+    quantities: str,
+    view: str,
+    width: str,
+    dpi: int,
+    unit: str,
+    neighbours: int | None,
+    degree: int | None,
+) -> None:
+    """Draw a scan in the colours of quantities."""
+    from quintrig.figure.plot import read_quantities, read_view
+    from quintrig.figure.save import kind_of, save
+    from quintrig.figure.scan import scan_picture
+    from quintrig.figure.style import inches
+    from quintrig.support.files import refuse_unwritable
+
+    kind_of(output)
+    refuse_unwritable(output)
+    keys = [key for key in read_quantities([word.strip() for word in quantities.split(",")]) if key is not None]
+    seen = read_view(view)
+    found = curvature(path, unit, neighbours, degree)
+    replaced = output.is_file()
+    figure = scan_picture(found, keys, view=seen, title=found.scan.name, width=inches(width))
+    session.wrote(save(figure, output, dpi), replaced)

@@ -1,0 +1,94 @@
+"""Pictures of a scan: its points or triangles in the colours of their curvature."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from matplotlib.colors import to_rgb
+from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
+
+from quintrig.figure.camera import ISO, View
+from quintrig.figure.palette import class_colours, colour_map, limits, real_colours
+from quintrig.quantities.table import Quantity, quantity
+from quintrig.scan.curvature import ScanCurvature
+from quintrig.scan.scan import Scan
+from quintrig.support.arrays import FloatArray
+
+_MOST = 60_000  # points or triangles drawn
+
+
+def scan_picture(
+    subject: ScanCurvature | Scan,
+    keys: Sequence[str] = (),
+    *,
+    view: View = ISO,
+    title: str = "",
+    width: float = 6.4,
+) -> Figure:
+    """Return a scan in the colours of quantities side by side, or in one colour without any."""
+    scan = subject.scan if isinstance(subject, ScanCurvature) else subject
+    count = max(len(keys), 1)
+    figure = Figure(figsize=(width, (0.78 if count == 1 else 0.42) * width), layout="constrained")
+    for index, key in enumerate(keys or ("",)):
+        axes: Any = figure.add_subplot(1, count, index + 1, projection="3d")
+        axes.view_init(elev=view.elevation, azim=view.azimuth)
+        if not key or not isinstance(subject, ScanCurvature):
+            _draw(axes, scan, np.tile(to_rgb("0.6"), (len(scan.points), 1)), shade=True)
+        else:
+            q = quantity(key)
+            _draw(axes, scan, _coloured(figure, axes, subject, q), shade=False)
+            axes.set_title(f"{q.name} {q.symbol}", fontsize=9)
+        axes.set_aspect("equal")
+        axes.tick_params(labelsize=6)
+        for axis in "xyz":
+            getattr(axes, f"{axis}axis").set_major_locator(MaxNLocator(4))
+            getattr(axes, f"set_{axis}label")(f"{axis} ({scan.unit})" if scan.unit else axis, fontsize=7)
+        for axis in "xyz":
+            getattr(axes, f"set_{axis}label")(f"{axis} ({scan.unit})" if scan.unit else axis, fontsize=7)
+    if title:
+        drawn: Any = figure
+        drawn.suptitle(title, fontsize=11)
+    return figure
+
+
+def _coloured(figure: Any, axes: Any, found: ScanCurvature, q: Quantity) -> FloatArray:
+    """Return the colours (n, 3) of the points, and draw the scale beside the axes."""
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import Normalize
+    from matplotlib.patches import Patch
+
+    values = found[q.key]
+    if q.kind == "class":
+        colours = class_colours(values, q.key)
+        there = [int(code) for code in np.unique(values)]
+        patches = [Patch(color=colours[int(np.argmax(values == code))], label=q.classes[code]) for code in there]
+        axes.legend(handles=patches, fontsize=6, loc="upper left")
+        return colours
+    inner = np.where(found.border, np.nan, values)  # borders are worse, and would stretch the scale
+    stretch = limits(inner, q)
+    unit = q.unit(found.scan.unit)
+    shade = ScalarMappable(Normalize(stretch.low, stretch.high), colour_map(q))
+    bar: Any = figure.colorbar(shade, ax=axes, shrink=0.6, pad=0.16)
+    bar.set_label(f"{q.symbol} ({unit})" if unit else q.symbol, fontsize=8)
+    bar.ax.tick_params(labelsize=7)
+    return real_colours(values, q, stretch)
+
+
+def _draw(axes: Any, scan: Scan, colours: FloatArray, shade: bool) -> None:
+    p = scan.points
+    if scan.triangles is not None and len(scan.triangles) <= _MOST:
+        faces = axes.plot_trisurf(*p.T, triangles=scan.triangles, shade=False, linewidth=0.0, antialiased=False)
+        shades = colours[scan.triangles].mean(axis=1)
+        faces.set_facecolors(shades * _lit(scan)[:, None] if shade else shades)
+        return
+    chosen = np.linspace(0, len(p) - 1, min(len(p), _MOST)).astype(int)
+    size = max(1.0, min(14.0, 30_000 / len(chosen)))
+    axes.scatter(*p[chosen].T, c=colours[chosen], s=size, linewidths=0.0, depthshade=False)
+
+
+def _lit(scan: Scan) -> FloatArray:
+    """Return how bright each triangle is (m,), from one half to one, by the tilt of its plane."""
+    a, b, c = (scan.points[scan.triangles][:, k] for k in range(3))
+    across = np.cross(b - a, c - a)
+    return 0.5 + 0.5 * np.abs(across[:, 2]) / np.maximum(np.linalg.norm(across, axis=1), 1e-300)

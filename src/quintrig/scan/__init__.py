@@ -1,0 +1,1 @@
+"""Measured points beside surfaces: scans, nearest points, deviation, and the curvature of the points themselves."""

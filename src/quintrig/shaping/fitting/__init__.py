@@ -1,0 +1,1 @@
+"""Fitting: surfaces and curves of every kind through measured points."""

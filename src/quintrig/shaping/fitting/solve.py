@@ -1,0 +1,333 @@
+"""The fit itself: orthogonal distances made least, over the net and the shape parameters together.
+
+Each round takes the feet of the points on the surface and makes the distances along their normals least, to first order
+(Blake and Isard's tangent distances; Wang, Pottmann and Liu 2006). The net is solved for exactly at each step of the
+shape parameters, which is Kaufman's (1975) form of Golub and Pereyra's variable projection.
+"""
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quintrig.basis.functions import Functions
+from quintrig.scan.nearest import Feet, Finder
+from quintrig.shaping.fitting import gram_jit
+from quintrig.shaping.fitting.forms import Form
+from quintrig.support.arrays import BoolArray, FloatArray
+from quintrig.support.scipy_inside import linalg_, optimize_, shortest, sparse_, tree_of
+
+_LEAST_SMOOTH = 1e-9
+"""Thin-plate energy beside the distances, of their weight: it decides only where no point does."""
+
+_OUTLIER = 6.0
+"""Standard deviations, by the median, beyond which a point of a scan counts no more."""
+
+
+_UNREACHED = 0.05
+"""Of the size: as far beyond the border of a surface a point still draws it."""
+
+
+@dataclass(frozen=True, eq=False)
+class Data:
+    """Points (n, 3), scaled, with weights (n,); ``border`` (n,) is true for those that belong on the edges."""
+
+    points: FloatArray
+    weights: FloatArray
+    border: BoolArray
+    robust: bool = True
+    smooth: float = 0.0
+
+    def some(self, most: int) -> "Data":
+        """Return at most so many of the points, the same ones each time."""
+        if len(self.points) <= most:
+            return self
+        kept = np.sort(np.random.default_rng(0).permutation(len(self.points))[:most])
+        return replace(self, points=self.points[kept], weights=self.weights[kept], border=self.border[kept])
+
+
+@dataclass(frozen=True, eq=False)
+class State:
+    """Unknowns of the net, shape parameters, and the rms of the weighted distances that they leave."""
+
+    q: FloatArray
+    theta: FloatArray
+    rms: float = np.inf
+
+
+@dataclass(frozen=True, eq=False)
+class System:
+    """Normal equations: of the net ``net``, of the shape ``shape``, ``mixed``, and the right sides."""
+
+    net: FloatArray
+    mixed: FloatArray
+    shape: FloatArray
+    to_net: FloatArray
+    to_shape: FloatArray
+
+
+def begun(form: Form, data: Data, at: FloatArray) -> State:
+    """Return the linear least-squares fit at given parameters (n, 2)."""
+    theta = form.starts
+    cells = np.array(form.grid)
+    scaled = np.clip(at, 0.0, 1.0) * cells
+    index = np.minimum(scaled.astype(int), cells - 1)
+    local = scaled - index
+    which = index[:, 0] * form.grid[1] + index[:, 1]
+    if form.kind == "swung":
+        return State(_swung_start(form, data, local), theta)
+    zero = np.zeros(form.affine[0].shape[1])
+    weight = data.weights[:, None, None] * np.eye(3)
+    base = form.nets(zero)
+    u, v = form.families(theta)
+    away = data.points - _points(base, which, u, v, local)
+    made = _system(form, zero, theta, which, local, weight, away, max(data.smooth, 1e-6), free=False)
+    return State(_solved(made.net, made.to_net), theta)
+
+
+def refined(form: Form, data: Data, state: State, free: bool, rounds: int, exact: float = 1e-5) -> State:
+    """Return the fit that distances cannot be made less from; ``free`` lets the shape parameters move."""
+    best, slide = state, 0.3
+    here = state
+    stuck = 0
+    for _ in range(rounds):
+        feet = _feet(form, here, data)
+        weights = _trusted(feet, data)
+        rms = _rms(feet, weights)
+        if rms < best.rms * (1.0 + 1e-12):
+            gained = best.rms - rms
+            best = replace(here, rms=rms)
+            slide = max(0.3 * slide, 1e-4)
+            stuck = stuck + 1 if gained < exact * rms else 0
+        else:
+            slide = min(10.0 * slide, 10.0)
+            stuck += 1
+            here = best
+            feet = _feet(form, here, data)
+            weights = _trusted(feet, data)
+        if stuck >= 4 or rms < 1e-14:
+            break
+        here = _stepped(form, here, feet, data, weights, slide, free)
+    else:
+        feet = _feet(form, here, data)
+        rms = _rms(feet, _trusted(feet, data))
+        best = replace(here, rms=rms) if rms < best.rms else best
+    return best
+
+
+def spread(form: Form, data: Data, state: State) -> tuple[FloatArray, FloatArray]:
+    """Return the standard deviations of the shape parameters, and the residual's, from the last normal equations."""
+    feet = _feet(form, state, data)
+    weights = _trusted(feet, data)
+    made = _made(form, state, feet, data, weights, 1e-4, free=True)
+    count = int((weights > 0.0).sum())
+    freedom = max(count - len(state.q) - len(state.theta), 1)
+    variance = float((weights * (feet.away**2).sum(axis=1)).sum()) / freedom
+    schur = made.shape - made.mixed.T @ _solved(made.net, made.mixed)
+    values, vectors = np.linalg.eigh(0.5 * (schur + schur.T))
+    tiny = 1e-12 * max(float(np.trace(made.shape)), 1e-300)
+    covariance = (vectors / np.maximum(values, tiny)) @ vectors.T * variance
+    return np.sqrt(np.maximum(np.diag(covariance), 0.0)), np.array(np.sqrt(variance))
+
+
+def _rms(feet: Feet, weights: FloatArray) -> float:
+    total = float(weights.sum())
+    return float(np.sqrt((weights * (feet.away**2).sum(axis=1)).sum() / total)) if total > 0.0 else np.inf
+
+
+def _feet(form: Form, state: State, data: Data) -> Feet:
+    surfaces = form.surfaces(state.q, state.theta)
+    finder = Finder(surfaces)
+    feet = finder.feet(data.points)
+    return _on_edges(form, finder, feet, data) if data.border.any() else feet
+
+
+def _on_edges(form: Form, finder: Finder, feet: Feet, data: Data) -> Feet:
+    """Return the feet with those of border points on the outer edges of the patches."""
+    t = np.linspace(0.0, 1.0, 301)
+    one, zero = np.ones_like(t), np.zeros_like(t)
+    nu, nv = form.grid
+    sides = [(a * nv, t, zero) for a in range(nu)] + [(a * nv + nv - 1, t, one) for a in range(nu)]
+    sides += [(b, zero, t) for b in range(nv)] + [((nu - 1) * nv + b, one, t) for b in range(nv)]
+    cloud = np.concatenate([finder.surfaces[k](u, v) for k, u, v in sides])
+    owner = np.concatenate([np.full(len(t), k) for k, _, _ in sides])
+    us, vs = np.concatenate([u for _, u, _ in sides]), np.concatenate([v for _, _, v in sides])
+    on = data.border
+    near = np.asarray(tree_of(cloud).query(data.points[on])[1])
+    which, u, v = feet.which.copy(), feet.u.copy(), feet.v.copy()
+    which[on], u[on], v[on] = owner[near], us[near], vs[near]
+    found = finder.at(data.points, which, u, v)
+    return replace(found, edge=found.edge | on)
+
+
+def _trusted(feet: Feet, data: Data) -> FloatArray:
+    """Return the weights, without points that lie far beyond what the others' distances let expect."""
+    if not data.robust:
+        return data.weights
+    gap = np.linalg.norm(feet.away, axis=1)
+    usual = 1.4826 * float(np.median(gap))
+    # What the surface does not reach yet is no outlier: it is to reach it.
+    far = gap > np.where(feet.edge, np.maximum(_UNREACHED, _OUTLIER * usual), _OUTLIER * max(usual, 1e-9))
+    return np.where(far, 0.0, data.weights) if 0 < far.sum() < 0.3 * len(gap) else data.weights
+
+
+def _points(nets: FloatArray, which: NDArray[np.int64], u: Functions, v: Functions, at: FloatArray) -> FloatArray:
+    one, other = u.derivatives(at[:, 0], 0)[0], v.derivatives(at[:, 1], 0)[0]
+    result = np.empty((len(at), 3))
+    for index, net in enumerate(nets):
+        mine = which == index
+        result[mine] = np.einsum("ni,nj,ijx->nx", one[mine], other[mine], net, optimize=True)
+    return result
+
+
+def _made(form: Form, state: State, feet: Feet, data: Data, weights: FloatArray, slide: float, free: bool) -> System:
+    normal = feet.normal
+    along = normal[:, :, None] * normal[:, None, :]
+    # Where the distance is not along the normal, the foot may slide along the border alone.
+    if feet.edge.any():
+        beside = np.cross(normal[feet.edge], feet.away[feet.edge])
+        beside /= np.maximum(np.linalg.norm(beside, axis=1, keepdims=True), 1e-300)
+        along[feet.edge] = np.eye(3) - beside[:, :, None] * beside[:, None, :]
+    weight = weights[:, None, None] * (slide * np.eye(3) + (1.0 - slide) * along)
+    at = np.stack([feet.u, feet.v], axis=1)
+    return _system(form, state.q, state.theta, feet.which, at, weight, feet.away, data.smooth, free)
+
+
+def _stepped(form: Form, state: State, feet: Feet, data: Data, weights: FloatArray, slide: float, free: bool) -> State:
+    free = free and len(state.theta) > 0
+    made = _made(form, state, feet, data, weights, slide, free)
+    theta = state.theta
+    shift = np.zeros(len(theta))
+    if free:
+        # The net's part of the equations is eliminated: what remains is in the shape parameters alone.
+        schur = made.shape - made.mixed.T @ _solved(made.net, made.mixed)
+        right = made.to_shape - made.mixed.T @ _solved(made.net, made.to_net)
+        schur = schur + slide * np.diag(np.abs(np.diag(schur))) + 1e-9 * np.diag(np.diag(made.shape))
+        low = np.array([one.low + (1e-6 if one.open[0] else 0.0) for one in form.ranges.values()])
+        high = np.array([one.high - (1e-6 if one.open[1] else 0.0) for one in form.ranges.values()])
+        shift = _bounded(schur, right, low - theta, high - theta, 0.5 * (high - low))
+    net = _solved(made.net, made.to_net - made.mixed @ shift if free else made.to_net)
+    return State(state.q + net, theta + shift)
+
+
+def _bounded(matrix: FloatArray, right: FloatArray, low: FloatArray, high: FloatArray, most: FloatArray) -> FloatArray:
+    """Return the least of ½ xᵀ A x - bᵀ x between bounds, no step larger than ``most``."""
+    scale = np.sqrt(np.maximum(np.diag(matrix), 1e-300))
+    values, vectors = np.linalg.eigh(matrix / np.outer(scale, scale))
+    root = np.sqrt(np.maximum(values, 1e-12))[:, None] * vectors.T
+    target = (vectors.T @ (right / scale)) / np.sqrt(np.maximum(values, 1e-12))
+    least, greatest = np.maximum(low, -most), np.minimum(high, most)
+    greatest = np.maximum(greatest, least + 1e-12)
+    return np.asarray(optimize_.lsq_linear(root * scale, target, (least, greatest)).x)
+
+
+def _solved(matrix: FloatArray, right: FloatArray) -> FloatArray:
+    """Return the solution of symmetric equations, scaled, by Cholesky; of singular ones the shortest."""
+    scale = 1.0 / np.sqrt(np.maximum(np.diag(matrix), 1e-300))
+    scaled = matrix * scale[:, None] * scale[None, :]
+    wide = right if right.ndim == 2 else right[:, None]
+    try:
+        found = linalg_.cho_solve(linalg_.cho_factor(scaled + 1e-14 * np.eye(len(matrix))), wide * scale[:, None])
+    except np.linalg.LinAlgError:
+        found = shortest(scaled, wide * scale[:, None], rcond=1e-12)
+    return (found * scale[:, None]).reshape(right.shape)
+
+
+def _system(
+    form: Form,
+    q: FloatArray,
+    theta: FloatArray,
+    which: NDArray[np.int64],
+    at: FloatArray,
+    weight: FloatArray,
+    away: FloatArray,
+    smooth: float,
+    free: bool,
+) -> System:
+    """Return the normal equations of Σ rᵀ W r, r = away - the surface's change, with thin-plate energy."""
+    u, v = form.families(theta)
+    n, m = form.shape
+    size = n * m
+    count = len(theta) if free else 0
+    nets = form.nets(q)
+    one, other = u.derivatives(at[:, 0], 0)[0], v.derivatives(at[:, 1], 0)[0]
+    moves = _moves(form, theta, at, which, nets) if count else np.zeros((0, len(at), 3))
+    blocks: list[FloatArray] = []
+    mixed = np.zeros((form.patches, size, 3, count))
+    to_net = np.zeros((form.patches, size, 3))
+    pulled = np.einsum("nxy,ny->nx", weight, away)
+    turned = np.einsum("nxy,kny->knx", weight, moves)
+    for index in range(form.patches):
+        mine = which == index if form.patches > 1 else slice(None)
+        every = (one[mine], other[mine], weight[mine], pulled[mine], turned[:, mine])
+        ways = [np.ascontiguousarray(part) for part in every]
+        sums, own, both = np.zeros((6, size, size)), np.zeros((size, 3)), np.zeros((size, 3, count))
+        gram_jit.gram(ways[0], ways[1], ways[2], ways[3], ways[4], np.empty(size), sums, own, both)
+        to_net[index], mixed[index] = own, both
+        sums += np.triu(sums, 1).transpose(0, 2, 1)
+        block = np.empty((size, 3, size, 3))
+        pairs = [(x, y) for x in range(3) for y in range(x, 3)]
+        for (x, y), product in zip(pairs, sums, strict=True):
+            block[:, x, :, y] = block[:, y, :, x] = product
+        blocks.append(block.reshape(3 * size, 3 * size))
+    slopes = form.slopes(q)
+    energy = np.kron(_thin_plate(u, v), np.eye(3))
+    whole = sum(float(np.trace(block)) for block in blocks) or 1.0
+    factor = max(smooth, _LEAST_SMOOTH) * whole / (form.patches * float(np.trace(energy)) or 1.0)
+    stacked = sparse_.block_diag([block + factor * energy for block in blocks], format="csr")
+    bent = (factor * (nets.reshape(form.patches, -1) @ energy)).ravel()
+    net = np.asarray((slopes.T @ stacked @ slopes).todense())
+    right = np.asarray(slopes.T @ (to_net.ravel() - bent))
+    if form.kind == "swung":  # scaling r up and (x, y) down changes nothing
+        net = net + 1e-10 * float(np.trace(net)) / len(net) * np.eye(len(net))
+    return System(
+        net,
+        np.asarray(slopes.T @ mixed.reshape(3 * size * form.patches, count)),
+        np.einsum("knx,lnx->kl", moves, turned),
+        right,
+        np.einsum("knx,nx->k", moves, pulled),
+    )
+
+
+def _moves(form: Form, theta: FloatArray, at: FloatArray, which: NDArray[np.int64], nets: FloatArray) -> FloatArray:
+    """Return the derivatives (k, n, 3) of the points by the shape parameters; differences are exact where affine."""
+    result = np.empty((len(theta), len(at), 3))
+    for k, one in enumerate(form.ranges.values()):
+        step = 1e-3 * (one.high - one.low)
+        low, high = theta.copy(), theta.copy()
+        low[k] = max(theta[k] - step, one.low + (1e-9 if one.open[0] else 0.0))
+        high[k] = min(theta[k] + step, one.high - (1e-9 if one.open[1] else 0.0))
+        ends = [_points(nets, which, *form.families(value), at) for value in (low, high)]
+        result[k] = (ends[1] - ends[0]) / (high[k] - low[k])
+    return result
+
+
+def _thin_plate(u: Functions, v: Functions) -> FloatArray:
+    """Return the quadratic form of ∫∫ |S_uu|² + 2 |S_uv|² + |S_vv|² du dv in one coordinate of the net."""
+    nodes, weights = np.polynomial.legendre.leggauss(16)
+    t, w = 0.5 * (nodes + 1.0), 0.5 * weights
+    grams = [
+        [np.einsum("n,ni,nj->ij", w, d[k], d[k]) for k in range(3)] for d in (u.derivatives(t, 2), v.derivatives(t, 2))
+    ]
+    (a0, a1, a2), (b0, b1, b2) = grams
+    pairs = ((1.0, a2, b0), (2.0, a1, b1), (1.0, a0, b2))
+    both: Any = sum(w * np.einsum("ij,kl->ikjl", a, b) for w, a, b in pairs)
+    return np.asarray(both).reshape(len(a0) * len(b0), -1)
+
+
+def _swung_start(form: Form, data: Data, at: FloatArray) -> FloatArray:
+    """Return unknowns of a swung surface: radius and height along u, the direction along v."""
+    u, v = form.families(form.starts)
+    along, around = u.derivatives(at[:, 0], 0)[0], v.derivatives(at[:, 1], 0)[0]
+    p = data.points
+    radius = np.hypot(p[:, 0], p[:, 1])
+
+    def least(matrix: FloatArray, values: FloatArray) -> FloatArray:
+        tiny = 1e-6 * float(np.trace(matrix.T @ matrix)) / matrix.shape[1]
+        found: Any = linalg_.solve(matrix.T @ matrix + tiny * np.eye(matrix.shape[1]), matrix.T @ values)
+        return np.asarray(found)
+
+    r, z = least(along, radius), least(along, p[:, 2])
+    near = (along @ r)[:, None] * around
+    return np.concatenate([r, z, least(near, p[:, 0]), least(near, p[:, 1])])
