@@ -159,7 +159,7 @@ late.register("joins", lambda *args, **words: import_module("quintrig.multipatch
 late.register("hold", lambda *model: import_module("quintrig.multipatch.hold").hold(*model))
 for _to in ("to_build123d", "to_compas", "to_pyvista", "to_rhino3dm", "to_trimesh"):
     late.register(_to, partial(_hand, _to))
-late.register("open_model", lambda path: import_module("quintrig.exchange.imports").open_model(path))
+late.register("open_model", lambda *given: import_module("quintrig.exchange.imports").open_model(*given))
 late.register("open_target", lambda *given: import_module("quintrig.exchange.scans").open_target(*given))
 late.register("sampled_target", lambda *given: import_module("quintrig.exchange.scans").sampled(*given))
 late.register("scan_suffixes", lambda: import_module("quintrig.exchange.scans").SCAN_SUFFIXES)

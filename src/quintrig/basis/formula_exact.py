@@ -60,8 +60,9 @@ def _form(node: Node, found: Mapping[Node, Exact], known: Mapping[str, Exact], u
         for _ in range(node.exponent):
             result = times(result, found[node.base]) if len(found[node.base]) else _ABSENT
         return result
-    assert isinstance(node, Binary)
-    return _binary(node, found[node.left], found[node.right], unit)
+    if isinstance(node, Binary):
+        return _binary(node, found[node.left], found[node.right], unit)
+    return _ABSENT
 
 
 def _binary(node: Binary, x: Exact, y: Exact, unit: Exact) -> Exact:

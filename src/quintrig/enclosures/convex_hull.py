@@ -10,7 +10,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.optimize import nnls  # pyright: ignore[reportUnknownVariableType]
 
 from quintrig.geometry.curve import Curve
 from quintrig.geometry.domain import grid
@@ -88,6 +87,8 @@ def _check(distances: FloatArray, parameters: tuple[FloatArray, ...]) -> HullChe
 
 def _distance(corners: FloatArray, x: FloatArray) -> float:
     """Return the distance of x (d,) from the hull of the columns of ``corners`` (d, n), all of size about 1."""
+    from scipy.optimize import nnls  # pyright: ignore[reportUnknownVariableType]  # takes long to import
+
     # The scale of d is free in the formula above: this one keeps the system well conditioned far away.
     scale = max(1.0, float(np.abs(x).max()))
     system = np.vstack([(corners - x[:, None]) / scale, np.ones(corners.shape[1])])

@@ -117,7 +117,8 @@ class Prover:
 
     def _compared(self, claim: Claim, bounds: bool) -> Verdict:
         measure = claim.measure
-        assert measure
+        if measure is None:
+            raise RuntimeError(f"{claim.text}: a comparison without a quantity; please report this")
         verdict = Verdict("proved", claim.text, 0)
         if not claim.sought:
             zero = {claim.range.low, claim.range.high} <= {0.0, np.inf, -np.inf}
@@ -194,7 +195,8 @@ class Prover:
 
     def _witness(self, chart: Chart, found: Search, claim: Claim, shapes: tuple[Shape, Shape] | None = None) -> Witness:
         """Return the place with the quantity's value there, which the sign of a form alone does not give."""
-        assert found.place
+        if found.place is None:
+            raise RuntimeError("a refutation without a place; please report this with the model")
         u, v = (float(part) for part in chart.parameters(*(np.array(part) for part in found.place)))
         low, high = found.low, found.high
         if shapes and claim.measure:

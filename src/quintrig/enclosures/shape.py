@@ -144,9 +144,9 @@ class Shape:
     def weighted(self, form: Form, power: int) -> Form:
         """Return a form times a power of the weight."""
         weight = self.weight
-        for _ in range(power if weight is not None else 0):
-            assert weight
-            form = form * weight
+        if weight is not None:
+            for _ in range(power):
+                form = form * weight
         return form
 
     @property

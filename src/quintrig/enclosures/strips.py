@@ -175,7 +175,8 @@ def _regular(surface: Surface, edges: list[Boundary], text: str, most: int) -> V
 
 
 def _witness(surface: Surface, edge: Boundary, found: Search) -> Witness:
-    assert found.place
+    if found.place is None:
+        raise RuntimeError("a refutation without a place; please report this with the model")
     u = float(edge.span.parameter(np.array(found.place[0])))
     return Witness(u, edge.v, tuple(surface(u, edge.v).tolist()), 0.5 * (found.low + found.high))
 

@@ -204,18 +204,14 @@ class _Work:
 
     def until_within(self, tolerance: float) -> Fit:
         """Return the first fit in a growing grid of patches that is within a tolerance, or the best of them."""
-        best: Fit | None = None
-        for grid in _GRIDS:
-            if best is not None and grid[0] * grid[1] * 12 > len(self.scan.points):
+        best = self.fitted(_GRIDS[0])
+        for grid in _GRIDS[1:]:
+            if best.max <= tolerance or grid[0] * grid[1] * 12 > len(self.scan.points):
                 break
             found = self.fitted(grid)
-            if best is None or found.max < best.max:
-                best, worse = found, False
-            else:
-                worse = True
-            if best.max <= tolerance or worse:
+            if not found.max < best.max:
                 break
-        assert best is not None
+            best = found
         if best.max > tolerance:
             note = f"the tolerance is not reached: the largest distance is {best.max:.3g}, allowed {tolerance:.3g}"
             best = replace(best, notes=(*best.notes, note))
