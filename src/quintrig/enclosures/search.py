@@ -208,13 +208,18 @@ def enclosed(
         if done or count >= most or not any(len(boxes) for boxes, *_ in waiting):
             return Bounds((bottom, max(least, bottom)), (min(greatest, top), top), count, bool(done))
         following: list[tuple[Boxes, FloatArray, FloatArray, Enclose, Outside]] = []
-        for boxes, low, high, enclose, outside in waiting:
+        gaps = [_gap(low, high, (least, greatest), ends) for _, low, high, _, _ in waiting]
+        worst = max((float(gap.max(initial=0.0)) for gap in gaps), default=0.0)
+        for (boxes, low, high, enclose, outside), gap in zip(waiting, gaps, strict=True):
             chosen = (low < least - allowed) & ends[0] | (high > greatest + allowed) & ends[1]
             narrow = (boxes.high - boxes.low).max(axis=1) <= NARROWEST
             kept = ~chosen | narrow
             if kept.any():
                 settled.append((float(low[kept].min()), float(high[kept].max())))
-            now = boxes.take(~kept)
+            later = ~kept & (gap < 0.5 * worst)  # first those that say least
+            if later.any():
+                following.append((boxes.take(later), low[later], high[later], enclose, outside))
+            now = boxes.take(~kept & ~later)
             if not len(now):
                 continue
             now = now.halved()
@@ -224,3 +229,10 @@ def enclosed(
             count += len(now)
             following.append((now, *enclose(*now.bounds()), enclose, outside))
         waiting = following
+
+
+def _gap(low: FloatArray, high: FloatArray, taken: tuple[float, float], ends: tuple[bool, bool]) -> FloatArray:
+    """Return by how much each box may exceed the values that are surely taken, at the ends asked for."""
+    with np.errstate(invalid="ignore"):
+        below, above = np.nan_to_num(taken[0] - low, nan=np.inf), np.nan_to_num(high - taken[1], nan=np.inf)
+    return np.maximum(np.where(ends[0], below, 0.0), np.where(ends[1], above, 0.0))
