@@ -57,6 +57,8 @@ if TYPE_CHECKING:
     from quintrig.multipatch.find import find_joins as find_joins
     from quintrig.multipatch.joins import Joins as Joins
     from quintrig.quantities.classify import Thresholds as Thresholds
+    from quintrig.shaping.design import Design as Design
+    from quintrig.shaping.design import design as design
     from quintrig.shaping.fair import Fairing as Fairing
     from quintrig.shaping.fair import fair as fair
     from quintrig.support.errors import ModelError as ModelError
@@ -103,6 +105,7 @@ _HOME = {
     "figure.plot": ("plot",),
     "figure.style": ("Style",),
     "geometry.domain": ("grid",),
+    "shaping.design": ("Design", "design"),
     "shaping.fair": ("Fairing", "fair"),
     "geometry.surface": ("Surface",),
 }
