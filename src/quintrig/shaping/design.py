@@ -33,6 +33,7 @@ from quintrig.shaping.problem import (
     near,
     near_given,
     on_surface,
+    regular,
     search_basis,
 )
 from quintrig.shaping.search import Found, Search, contradiction, met
@@ -152,8 +153,9 @@ def design(
     patch = model.patch(read.patch)
     space = unknowns(patch, read.ranges, read.points, read.only, holds)
     conditions = _conditions(read, patch)
+    whole = regular(patch.surface) if read.points is not None else None
     objective, scale = _objective(read, patch, conditions)
-    problem = Problem(space, objective, conditions, search_basis(space, read.minimise in ENERGIES), scale)
+    problem = Problem(space, objective, [*conditions, *([whole] if whole else [])], search_basis(space, read.minimise in ENERGIES), scale)
     log = _Log(Path(state) if state is not None else None, _digest(read, space), starts, progress)
     best, done, stopped = _searched(problem, log, starts, seed)
     clash: tuple[Condition, ...] = ()
@@ -161,12 +163,12 @@ def design(
         try:
             log.tell("which demands contradict", starts)
             search = Search(problem)
-            eased = search.compromise(best.y, conditions)
+            eased = search.compromise(best.y, problem.conditions)
             best = eased if eased.better(best) else best
-            clash = contradiction(search, best.y, conditions)
+            clash = contradiction(search, best.y, conditions, [whole] if whole else [])
         except KeyboardInterrupt:
             stopped = True
-    return _result(read, model, problem, best, clash, done, stopped, (*notes, *space.notes), prove)
+    return _result(read, model, replace(problem, conditions=conditions), best, clash, done, stopped, (*notes, *space.notes), prove)
 
 
 def _searched(problem: Problem, log: "_Log", starts: int, seed: int) -> tuple[Found, int, bool]:

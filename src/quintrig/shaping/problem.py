@@ -132,7 +132,7 @@ class Integral:
         partials = state.partials(self.u, self.v, order)
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
             value, gradient = self._parts(partials, state.surface.sign)
-        return value, state.pulled(self.u, self.v, gradient).sum(axis=0)
+        return value, state.total(self.u, self.v, gradient)
 
     def _parts(self, partials: FloatArray, sign: float) -> tuple[float, FloatArray]:
         weights = self.weights
@@ -264,7 +264,7 @@ class Near:
         at = self._feet(state, self.seen)
         apart = state.partials(at[:, 0], at[:, 1], 0)[0] - self.points[self.seen]
         count = len(self.seen) * scale**2
-        return float((apart**2).sum() / count), state.pulled(at[:, 0], at[:, 1], 2.0 * apart[None] / count).sum(axis=0)
+        return float((apart**2).sum() / count), state.total(at[:, 0], at[:, 1], 2.0 * apart[None] / count)
 
 
 def near(name: str, points: FloatArray, within: float, surface: Surface) -> Near:
@@ -420,6 +420,40 @@ class Twist:
             self.count = 2 * self.count - 1
             return True
         return False
+
+
+@dataclass(eq=False)
+class Regular:
+    """The surface stays one: |S_u x S_v|² at 17 x 17 points no less than a hundredth of what it was."""
+
+    least: FloatArray
+    name: str = "regular"
+    equal: bool = False
+
+    def values(self, state: State) -> tuple[FloatArray, FloatArray]:
+        """Return |S_u x S_v|² over what it was, less a hundredth, and the gradients."""
+        u, v = _grid(17)
+        at = forms(state.partials(u, v)[1:])
+        nothing = np.zeros_like(at.area2)
+        gradient = pulled_back(at, nothing, nothing, 1.0 / self.least)
+        full = np.concatenate([np.zeros((1, *gradient.shape[1:])), gradient])
+        return at.area2 / self.least - 0.01, state.pulled(u, v, full)
+
+    def worst(self, state: State) -> Worst:
+        """Return the least share that is left."""
+        share = forms(state.partials(*_grid(17))[1:]).area2 / self.least
+        return Worst(float(share.min()) - 0.01, float(share.min()))
+
+    def exchange(self, state: State) -> bool:
+        """Nothing is hidden from the search."""
+        return False
+
+
+def regular(surface: Surface) -> Regular | None:
+    """Return what keeps a surface from folding; None where it stands still somewhere as it is given."""
+    p = surface.local_partials(*_grid(17), 1)
+    area2 = (np.cross(p[1, 0], p[0, 1]) ** 2).sum(axis=-1)
+    return Regular(area2) if area2.min() > 1e-6 * area2.mean() else None
 
 
 def _dot(a: FloatArray, b: FloatArray) -> FloatArray:

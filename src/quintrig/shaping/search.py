@@ -17,7 +17,9 @@ from quintrig.shaping.unknowns import State
 from quintrig.support.arrays import FloatArray
 
 _ROUNDS = 14
-_STEPS = 150  # of one round
+_STEPS = 100  # of one round
+_RANGES = 6  # times that ends of ranges are added to what SLSQP sees
+_ENOUGH = 1e-8  # of the objective, scaled
 _BAD = 1e6  # in place of what is not finite
 _OFF = 10.0 * MARGIN
 """What is missed by more than this, scaled, is not met."""
@@ -85,23 +87,22 @@ class Search:
         conditions = self.problem.conditions if conditions is None else conditions
         best = self.judged(y, conditions)
         for _ in range(_ROUNDS):
-            y = self._solve(y, conditions, elastic=False)
-            found = self.judged(y, conditions)
-            if found.missed > _OFF:
-                seen = self._exchange(y, conditions)
+            if self._missing(y, conditions) > _OFF:
                 y = self._solve(y, conditions, elastic=True)
-                if self.judged(y, conditions).missed <= _OFF:
-                    y = self._solve(y, conditions, elastic=False)
-                found = self.judged(y, conditions)
-                if found.missed > _OFF and not seen and not self._exchange(y, conditions):
-                    best = found if found.better(best) else best
-                    break
-            if found.better(best) or (best.missed <= _OFF) != (found.missed <= _OFF):
-                best = found if found.better(best) else best
+            possible = self._missing(y, conditions) <= _OFF
+            if possible:
+                y = self._solve(y, conditions, elastic=False)
+            found = self.judged(y, conditions)
+            best = found if found.better(best) else best
             self.told(best)
-            if not self._exchange(y, conditions):
+            if not self._exchange(y, conditions) or not possible:
                 break
         return best
+
+    def _missing(self, y: FloatArray, conditions: Sequence[Condition]) -> float:
+        """Return the most that a condition is missed by at the points that the search sees."""
+        values = _At(self.problem, conditions)(y).values
+        return max((_missed(part, one) for part, one in zip(values, conditions, strict=True)), default=0.0)
 
     def compromise(self, y: FloatArray, conditions: Sequence[Condition]) -> Found:
         """Return the design that misses as little as can be, in sum over the conditions."""
@@ -134,107 +135,110 @@ class Search:
             return False
 
     def _solve(self, y: FloatArray, conditions: Sequence[Condition], *, elastic: bool) -> FloatArray:
-        """Return where SLSQP goes from here, with a slack t >= 0 for each condition in the elastic case."""
+        """Return where SLSQP goes from here, in the ranges: those that it would leave are added until it leaves none."""
+        space, basis = self.problem.space, self.problem.basis
+        width = space.high - space.low
+        count = len(space.start)
+        parameters = np.arange(space.coordinates, count)
+        ends = np.concatenate([parameters, parameters + count])  # low ones, then high ones
+        rows = np.concatenate([basis, -basis]) / np.tile(width, 2)[:, None]
+        edges = np.concatenate([space.start - space.low, space.high - space.start]) / np.tile(width, 2)
         at = _At(self.problem, conditions)
-        space, count = self.problem.space, len(y)
+        x = y
+        for _ in range(_RANGES):
+            x = self._stepped(at, x, conditions, rows[ends], edges[ends], elastic)
+            left = np.flatnonzero(rows @ x + edges < -1e-9)
+            if not len(left):
+                return x
+            ends = np.union1d(ends, left)
+            x = self._inside(x, y, rows, edges)
+        return x
+
+    def _stepped(
+        self,
+        at: "_At",
+        y: FloatArray,
+        conditions: Sequence[Condition],
+        limits: FloatArray,
+        edges: FloatArray,
+        elastic: bool,
+    ) -> FloatArray:
+        """Return what one call of SLSQP gives, with a slack t >= 0 for each condition in the elastic case."""
+        count = len(y)
         slacks = len(conditions) if elastic else 0
-        first = at(y)
-        owners = [np.full(len(part), index) for index, part in enumerate(first.values)]
-        limits = np.concatenate([self.problem.basis, -self.problem.basis])
-        edges = np.concatenate([space.start - space.low, space.high - space.start])
-        width = np.tile(space.high - space.low, 2)
+        first = at(y).values
 
-        def values(x: FloatArray, equal: bool, sign: float = 1.0) -> FloatArray:
-            found = at(x[:count]).values
-            parts = [
-                sign * part + (x[count + index] if elastic else 0.0)
-                for index, (part, one) in enumerate(zip(found, conditions, strict=True))
-                if one.equal == equal
-            ]
-            return np.concatenate([*parts, np.zeros(0)])
+        def parted(x: FloatArray) -> tuple[FloatArray, FloatArray]:
+            """Return all that is to be 0 or more, and its derivatives."""
+            here = at(x[:count])
+            values, rows = [limits @ x[:count] + edges, x[count:]], [_wide(limits, slacks), np.eye(slacks, len(x), count)]
+            for index, (one, value, row) in enumerate(zip(conditions, here.values, here.rows, strict=True)):
+                if one.equal and not elastic:
+                    continue
+                for sign in (1.0, -1.0) if one.equal else (1.0,):
+                    values.append(sign * value + (x[count + index] if elastic else 0.0))
+                    rows.append(_wide(sign * row, slacks, index))
+            return np.concatenate(values), np.concatenate(rows)
 
-        def rows(x: FloatArray, equal: bool, sign: float = 1.0) -> FloatArray:
-            found = at(x[:count]).rows
-            parts = [
-                np.hstack([sign * part, _ones(owners[index], slacks)])
-                for index, (part, one) in enumerate(zip(found, conditions, strict=True))
-                if one.equal == equal
-            ]
-            return np.concatenate([*parts, np.zeros((0, count + slacks))])
+        def equal(x: FloatArray) -> tuple[FloatArray, FloatArray]:
+            here = at(x[:count])
+            which = [index for index, one in enumerate(conditions) if one.equal]
+            return np.concatenate([here.values[k] for k in which]), np.concatenate([here.rows[k] for k in which])
 
         def objective(x: FloatArray) -> tuple[float, FloatArray]:
-            value, gradient = at(x[:count]).least
             if not elastic:
-                return value, gradient
-            near = 1e-6 * (x[:count] - y)
-            return (
-                float(x[count:].sum() + 0.5 * near @ (x[:count] - y)),
-                np.concatenate([near, np.ones(slacks)]),
-            )
+                return at(x[:count]).least
+            near = x[:count] - y
+            value = float(x[count:].sum() + 0.5e-6 * near @ near)
+            return value, np.concatenate([1e-6 * near, np.ones(slacks)])
 
-        def bounds(x: FloatArray) -> FloatArray:
-            return np.concatenate([(limits @ x[:count] + edges) / width, x[count:]])
-
-        bound_rows = np.vstack(
-            [
-                np.hstack([limits / width[:, None], np.zeros((len(limits), slacks))]),
-                np.hstack([np.zeros((slacks, count)), np.eye(slacks)]),
-            ]
-        )
-        constraints: list[dict[str, Any]] = [{"type": "ineq", "fun": bounds, "jac": lambda x: bound_rows}]
-
-        def add(kind: str, equal: bool, sign: float) -> None:
-            constraints.append(
-                {"type": kind, "fun": lambda x: values(x, equal, sign), "jac": lambda x: rows(x, equal, sign)}
-            )
-
-        if any(not one.equal for one in conditions):
-            add("ineq", False, 1.0)
-        if any(one.equal for one in conditions):
-            for kind, sign in (("ineq", 1.0), ("ineq", -1.0)) if elastic else (("eq", 1.0),):
-                add(kind, True, sign)
-        start = np.concatenate([y, [_missed(part, one) for part, one in zip(first.values, conditions, strict=True)]]) \
-            if elastic else y  # fmt: skip
+        constraints: list[dict[str, Any]] = [_constraint("ineq", parted)]
+        if not elastic and any(one.equal for one in conditions):
+            constraints.append(_constraint("eq", equal))
+        missing = [_missed(part, one) for part, one in zip(first, conditions, strict=True)] if elastic else []
         done = _minimize()(
             objective,
-            start,
+            np.concatenate([y, missing]),
             jac=True,
             method="SLSQP",
             constraints=constraints,
-            options={"maxiter": _STEPS, "ftol": 1e-10},
+            options={"maxiter": _STEPS, "ftol": _ENOUGH},
         )
         x = np.asarray(done.x, dtype=np.float64)[:count]
-        if not np.isfinite(x).all():
-            return y
-        unknown = self.problem.unknowns(x)
-        over = np.maximum(space.low - unknown, unknown - space.high) / (space.high - space.low)
-        return x if over.max(initial=0.0) <= 1e-9 else self._inside(x, y)
+        return x if np.isfinite(x).all() else y
 
-    def _inside(self, x: FloatArray, y: FloatArray) -> FloatArray:
-        """Return the last place on the way to x that is in the ranges."""
-        space, share = self.problem.space, 1.0
-        here, step = self.problem.unknowns(y), self.problem.basis @ (x - y)
-        for at, move, low, high in zip(here, step, space.low, space.high, strict=True):
-            end = high if move > 0.0 else low
-            if (at + move - end) * np.sign(move) > 0.0:
-                share = min(share, max((end - at) / move, 0.0))
+    def _inside(self, x: FloatArray, y: FloatArray, rows: FloatArray, edges: FloatArray) -> FloatArray:
+        """Return the last place on the way from y to x that is in the ranges."""
+        here, step = rows @ y + edges, rows @ (x - y)
+        falling = step < -1e-15
+        share = float((np.maximum(here[falling], 0.0) / -step[falling]).min(initial=1.0))
         return y + share * (x - y)
 
 
-def _ones(owner: FloatArray, slacks: int) -> FloatArray:
-    return (owner[:, None] == np.arange(slacks)).astype(np.float64)
+def _constraint(kind: str, both: Callable[[FloatArray], tuple[FloatArray, FloatArray]]) -> dict[str, Any]:
+    return {"type": kind, "fun": lambda x: both(x)[0], "jac": lambda x: both(x)[1]}
+
+
+def _wide(rows: FloatArray, slacks: int, owner: int | None = None) -> FloatArray:
+    """Return rows with columns for the slacks, 1 in that of the owner."""
+    added = np.zeros((len(rows), slacks))
+    if owner is not None and slacks:
+        added[:, owner] = 1.0
+    return np.hstack([rows, added])
 
 
 def _missed(values: FloatArray, one: Condition) -> float:
     return float(max((np.abs(values) if one.equal else -values).max(initial=0.0), 0.0))
 
 
-def contradiction(search: Search, y: FloatArray, conditions: Sequence[Condition]) -> tuple[Condition, ...]:
+def contradiction(
+    search: Search, y: FloatArray, conditions: Sequence[Condition], always: Sequence[Condition] = ()
+) -> tuple[Condition, ...]:
     """Return conditions that contradict each other, none of which may be left out (a deletion filter; Chinneck 2008)."""
     kept = list(conditions)
     for one in conditions:
         fewer = [other for other in kept if other is not one]
-        if fewer and search.compromise(y, fewer).missed > _OFF:
+        if fewer and search.compromise(y, [*fewer, *always]).missed > _OFF:
             kept = fewer
     return tuple(kept)
 

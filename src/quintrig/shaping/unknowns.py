@@ -5,15 +5,15 @@ the net for kinds that have one, by a central difference, which is exact for an 
 """
 
 import re
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quintrig.geometry.surface import Surface
+from quintrig.geometry.surface import Net, Surface
 from quintrig.model.patch import Patch
 from quintrig.multipatch.nets import handle
 from quintrig.shaping.derivatives import Affine, affine
@@ -25,6 +25,7 @@ INDICES = ((0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2), (3, 0), (2, 1), (1, 2
 """The derivatives that goals look at, as (times by u, times by v)."""
 
 _COUNTS = (1, 3, 6, 10)  # of them up to each order
+_KEPT = 64  # sets of functions kept
 _SAME = 1e-9  # of the patch's size: a change that moves what is held by less leaves it
 _AXES = {2: ("xy", "rz"), 3: ("xyz",), 4: ("abcd",)}
 
@@ -53,7 +54,29 @@ class State:
 
     def partials(self, u: FloatArray, v: FloatArray, order: int = 2) -> FloatArray:
         """Return derivatives up to ``order`` at points u, v (k,), (indices, k, 3), length¹."""
-        return _partials(self.surface, u, v, order)
+        rows = self.surface.rows
+        if self.space.of is None or not isinstance(rows, Net):
+            return _partials(self.surface, u, v, order)
+        fu, fv = self._functions(u, v, order)
+        points = rows.points.reshape(len(rows.points), -1)
+        along = [(part @ points).reshape(len(u), -1, 3) for part in fu]
+        found = [(fv[b][:, None] @ along[a])[:, 0] for a, b in INDICES[: _COUNTS[order]]]
+        found[0] = found[0] + self.surface.origin
+        return np.stack(found)
+
+    def _functions(self, u: FloatArray, v: FloatArray, order: int) -> tuple[FloatArray, FloatArray]:
+        """Return the derivatives of the functions in u and v; a search asks for the same ones again and again."""
+        assert self.space.of is not None
+        of = Affine(self.patch, self.space.of.handle, self.space.of.matrix)
+        found: list[FloatArray] = []
+        for axis, t in enumerate((u, v)):
+            key = (axis, order, self.patch.shape, t.tobytes())
+            if key not in self.space.known:
+                if len(self.space.known) >= _KEPT:
+                    self.space.known.clear()
+                self.space.known[key] = of.functions(axis, t, order)
+            found.append(self.space.known[key])
+        return found[0], found[1]
 
     @cached_property
     def _neighbours(self) -> list[tuple[Surface, Surface, float]]:
@@ -72,16 +95,34 @@ class State:
         rows: FloatArray = np.zeros((len(u), len(self.values)))
         coordinates = self.space.coordinates
         if self.space.of is not None and coordinates:
-            of = Affine(self.patch, self.space.of.handle, self.space.of.matrix)
-            fu, fv = of.functions(0, u, order), of.functions(1, v, order)
+            fu, fv = self._functions(u, v, order)
             net: FloatArray = np.zeros((len(u), fu.shape[-1], fv.shape[-1], 3))
             for (a, b), part in zip(INDICES, gradient, strict=False):
                 net += fu[a][:, :, None, None] * (fv[b][:, :, None] * part[:, None, :])[:, None]
             rows[:, :coordinates] = net.reshape(len(u), -1) @ self.space.matrix
-        for (index, _), (ahead, back, step) in zip(self.space.by_steps, self._neighbours, strict=True):
-            change = (_partials(ahead, u, v, order) - _partials(back, u, v, order)) / step
+        for index, change in self._changes(u, v, order):
             rows[:, index] = (gradient * change).sum(axis=(0, 2))
         return rows
+
+    def total(self, u: FloatArray, v: FloatArray, gradient: FloatArray) -> FloatArray:
+        """Return the sum of ``pulled`` over the points, (n,)."""
+        order = _COUNTS.index(len(gradient))
+        result: FloatArray = np.zeros(len(self.values))
+        coordinates = self.space.coordinates
+        if self.space.of is not None and coordinates:
+            fu, fv = self._functions(u, v, order)
+            net: FloatArray = np.zeros((fu.shape[-1], fv.shape[-1] * 3))
+            for (a, b), part in zip(INDICES, gradient, strict=False):
+                net += fu[a].T @ (fv[b][:, :, None] * part[:, None, :]).reshape(len(u), -1)
+            result[:coordinates] = net.ravel() @ self.space.matrix
+        for index, change in self._changes(u, v, order):
+            result[index] = (gradient * change).sum()
+        return result
+
+    def _changes(self, u: FloatArray, v: FloatArray, order: int) -> Iterator[tuple[int, FloatArray]]:
+        """Yield the derivatives of all that ``partials`` returns by each unknown that is taken by differences."""
+        for (index, _), (ahead, back, step) in zip(self.space.by_steps, self._neighbours, strict=True):
+            yield index, (_partials(ahead, u, v, order) - _partials(back, u, v, order)) / step
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,6 +144,7 @@ class Unknowns:
     start: FloatArray
     by_steps: tuple[tuple[int, float], ...]
     notes: tuple[str, ...] = ()
+    known: dict[Any, FloatArray] = field(default_factory=dict[Any, FloatArray])
 
     @property
     def coordinates(self) -> int:
