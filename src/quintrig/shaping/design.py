@@ -165,7 +165,10 @@ def design(
             search = Search(problem)
             eased = search.compromise(best.y, problem.conditions)
             best = eased if eased.better(best) else best
-            clash = contradiction(search, best.y, conditions, [whole] if whole else [])
+            again = search.run(best.y)
+            best = again if again.better(best) else best
+            if not met(best.missed):
+                clash = contradiction(search, best.y, conditions, [whole] if whole else [])
         except KeyboardInterrupt:
             stopped = True
     return _result(read, model, replace(problem, conditions=conditions), best, clash, done, stopped, (*notes, *space.notes), prove)
@@ -307,7 +310,7 @@ def _conditions(goals: Goals, patch: Patch) -> list[Condition]:
             scale = max(now if np.isfinite(now) else 1.0, abs(one.bound), np.finfo(float).tiny)
             found.append(InTotal(one, value, scale))
         else:
-            found.append(on_surface(one, size))
+            found.append(on_surface(one, patch.surface))
     for points, one, index in targets:
         if one.within is not None:
             name = f"target {index} {one.file or ''}".strip()

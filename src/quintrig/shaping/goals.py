@@ -128,6 +128,15 @@ def read_goals(goals: "str | Path | Mapping[str, Any]") -> Goals:
     return _goals(goals, Path())
 
 
+def model_file(goals: Path) -> Path | None:
+    """Return the model file that a goals file names, if it can be read."""
+    try:
+        name = parse(read_text(goals, "a file of goals"), goals.suffix.lower()).get("model")
+    except (ValueError, AttributeError):
+        return None
+    return goals.parent / name if isinstance(name, str) else None
+
+
 def _goals(data: Any, folder: Path) -> Goals:
     if not isinstance(data, Mapping):
         raise ModelError(f"goals: expected keys and values, got {spell(data)}")

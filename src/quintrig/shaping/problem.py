@@ -25,6 +25,8 @@ MARGIN = 1e-6
 
 _NODES = 24  # of Gauss on a span: integrals of a design need no more than the search does
 _FEW = 7  # points each way that the search sees from the start
+_COARSE = 17  # points each way at which a surface is kept from folding
+_LEFT = 0.04  # of |S_u x S_v|² is to be left
 _MOST_TARGETS = 400  # points of a target that the search sees from the start
 
 
@@ -111,10 +113,10 @@ class OnSurface:
         return bool(len(fresh))
 
 
-def on_surface(demand: Demand, size: float) -> OnSurface:
+def on_surface(demand: Demand, surface: Surface) -> OnSurface:
     """Return a demand at every point, seen at 7 x 7 points at first."""
     t = np.rint(np.linspace(0, GRID - 1, _FEW)).astype(np.int64)
-    return OnSurface(demand, size, (t[:, None] * GRID + t).ravel())
+    return OnSurface(demand, surface.size, (t[:, None] * GRID + t).ravel())
 
 
 @dataclass(eq=False)
@@ -424,36 +426,45 @@ class Twist:
 
 @dataclass(eq=False)
 class Regular:
-    """The surface stays one: |S_u x S_v|² at 17 x 17 points no less than a hundredth of what it was."""
+    """The surface stays one: |S_u x S_v|² at 17 x 17 points no less than 4 % of what it was, ``least``."""
 
     least: FloatArray
+    seen: NDArray[np.int64]
     name: str = "regular"
     equal: bool = False
 
     def values(self, state: State) -> tuple[FloatArray, FloatArray]:
-        """Return |S_u x S_v|² over what it was, less a hundredth, and the gradients."""
-        u, v = _grid(17)
+        """Return |S_u x S_v|² over what it was, less those 4 %, and the gradients."""
+        u, v = (part[self.seen] for part in _grid(_COARSE))
         at = forms(state.partials(u, v)[1:])
         nothing = np.zeros_like(at.area2)
-        gradient = pulled_back(at, nothing, nothing, 1.0 / self.least)
+        gradient = pulled_back(at, nothing, nothing, 1.0 / self.least[self.seen])
         full = np.concatenate([np.zeros((1, *gradient.shape[1:])), gradient])
-        return at.area2 / self.least - 0.01, state.pulled(u, v, full)
+        return at.area2 / self.least[self.seen] - _LEFT - MARGIN, state.pulled(u, v, full)
+
+    def _left(self, state: State) -> FloatArray:
+        return forms(state.partials(*_grid(_COARSE))[1:]).area2 / self.least - _LEFT
 
     def worst(self, state: State) -> Worst:
         """Return the least share that is left."""
-        share = forms(state.partials(*_grid(17))[1:]).area2 / self.least
-        return Worst(float(share.min()) - 0.01, float(share.min()))
+        left = float(self._left(state).min())
+        return Worst(left, left + _LEFT)
 
     def exchange(self, state: State) -> bool:
-        """Nothing is hidden from the search."""
-        return False
+        """Add the points where least is left."""
+        left = self._left(state)
+        low = left.argsort()[:20]
+        fresh = np.setdiff1d(low[left[low] < 0.0], self.seen)
+        self.seen = np.concatenate([self.seen, fresh])
+        return bool(len(fresh))
 
 
 def regular(surface: Surface) -> Regular | None:
     """Return what keeps a surface from folding; None where it stands still somewhere as it is given."""
-    p = surface.local_partials(*_grid(17), 1)
+    p = surface.local_partials(*_grid(_COARSE), 1)
     area2 = (np.cross(p[1, 0], p[0, 1]) ** 2).sum(axis=-1)
-    return Regular(area2) if area2.min() > 1e-6 * area2.mean() else None
+    seen = (np.arange(0, _COARSE, 4)[:, None] * _COARSE + np.arange(0, _COARSE, 4)).ravel()
+    return Regular(area2, seen) if area2.min() > 1e-6 * area2.mean() else None
 
 
 def _dot(a: FloatArray, b: FloatArray) -> FloatArray:

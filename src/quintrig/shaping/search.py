@@ -18,6 +18,7 @@ from quintrig.support.arrays import FloatArray
 
 _ROUNDS = 14
 _STEPS = 100  # of one round
+_FARTHEST = 2.0  # of one call in each direction: curvature is far from linear
 _RANGES = 6  # times that ends of ranges are added to what SLSQP sees
 _ENOUGH = 1e-8  # of the objective, scaled
 _BAD = 1e6  # in place of what is not finite
@@ -87,17 +88,29 @@ class Search:
         conditions = self.problem.conditions if conditions is None else conditions
         best = self.judged(y, conditions)
         for _ in range(_ROUNDS):
-            if self._missing(y, conditions) > _OFF:
-                y = self._solve(y, conditions, elastic=True)
+            y = self._eased(y, conditions)
             possible = self._missing(y, conditions) <= _OFF
             if possible:
-                y = self._solve(y, conditions, elastic=False)
+                further = self._solve(y, conditions, elastic=False)
+                y = further if self._missing(further, conditions) <= _OFF else y
             found = self.judged(y, conditions)
             best = found if found.better(best) else best
             self.told(best)
             if not self._exchange(y, conditions) or not possible:
                 break
         return best
+
+    def _eased(self, y: FloatArray, conditions: Sequence[Condition]) -> FloatArray:
+        """Return what misses less, from here or, where that is a hilltop of what is missed, from beside it."""
+        missed = self._missing(y, conditions)
+        for attempt in range(2):
+            if missed <= _OFF:
+                break
+            beside = y + attempt * 0.1 * np.random.default_rng(attempt).normal(size=len(y))
+            found = self._solve(beside, conditions, elastic=True)
+            now = self._missing(found, conditions)
+            y, missed = (found, now) if now < missed else (y, missed)
+        return y
 
     def _missing(self, y: FloatArray, conditions: Sequence[Condition]) -> float:
         """Return the most that a condition is missed by at the points that the search sees."""
@@ -107,8 +120,8 @@ class Search:
     def compromise(self, y: FloatArray, conditions: Sequence[Condition]) -> Found:
         """Return the design that misses as little as can be, in sum over the conditions."""
         found = self.judged(y, conditions)
-        for _ in range(_ROUNDS // 2):
-            y = self._solve(y, conditions, elastic=True)
+        for _ in range(_ROUNDS):
+            y = self._eased(y, conditions)
             found = self.judged(y, conditions)
             if found.missed <= _OFF or not self._exchange(y, conditions):
                 break
@@ -171,7 +184,7 @@ class Search:
         def parted(x: FloatArray) -> tuple[FloatArray, FloatArray]:
             """Return all that is to be 0 or more, and its derivatives."""
             here = at(x[:count])
-            values, rows = [limits @ x[:count] + edges, x[count:]], [_wide(limits, slacks), np.eye(slacks, len(x), count)]
+            values, rows = [limits @ x[:count] + edges], [_wide(limits, slacks)]
             for index, (one, value, row) in enumerate(zip(conditions, here.values, here.rows, strict=True)):
                 if one.equal and not elastic:
                     continue
@@ -201,6 +214,7 @@ class Search:
             np.concatenate([y, missing]),
             jac=True,
             method="SLSQP",
+            bounds=[*((at - _FARTHEST, at + _FARTHEST) for at in y.tolist()), *[(0.0, None)] * slacks],
             constraints=constraints,
             options={"maxiter": _STEPS, "ftol": _ENOUGH},
         )
