@@ -524,7 +524,7 @@ def search_basis(space: Unknowns, smooth: bool) -> FloatArray:
     choice = space.directions
     forms_of = [quadratic(space.of, order).form[np.ix_(space.chosen, space.chosen)] for order in (2, 0)]
     plate, mass = (choice.T @ form @ choice for form in forms_of)
-    mass = mass / (np.trace(mass) / free or 1.0) + 1e-6 * np.eye(free)
+    mass = mass / (np.trace(mass) / free or 1.0) + 1e-9 * np.eye(free)
     plate = plate / (np.trace(plate) / free or 1.0)
     metric = plate + 1e-5 * mass if smooth else mass
     lower = np.linalg.cholesky(metric)

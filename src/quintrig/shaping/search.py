@@ -18,7 +18,7 @@ from quintrig.support.arrays import FloatArray
 
 _ROUNDS = 14
 _STEPS = 100  # of one round
-_FARTHEST = 2.0  # of one call in each direction: curvature is far from linear
+_FARTHEST = 6.0  # of one call in each direction: curvature is far from linear
 _RANGES = 6  # times that ends of ranges are added to what SLSQP sees
 _ENOUGH = 1e-8  # of the objective, scaled
 _BAD = 1e6  # in place of what is not finite
@@ -68,6 +68,9 @@ class _At:
                 found = [one.values(state) for one in self.conditions]
             except (ValueError, ArithmeticError):  # a step to where there is no surface
                 self.least = (_BAD, np.zeros_like(y))
+                if not self.values:
+                    self.values = tuple(np.array([-_BAD]) for _ in self.conditions)
+                    self.rows = tuple(np.zeros((1, len(y))) for _ in self.conditions)
                 self.values = tuple(np.full_like(part, -_BAD) for part in self.values)
                 return self
         self.values = tuple(np.nan_to_num(part, nan=-_BAD, posinf=_BAD, neginf=-_BAD) for part, _ in found)
@@ -107,7 +110,7 @@ class Search:
             if missed <= _OFF:
                 break
             beside = y + attempt * 0.1 * np.random.default_rng(attempt).normal(size=len(y))
-            found = self._solve(beside, conditions, elastic=True)
+            found = self._solve(self._inside(beside, y, *self._ends()), conditions, elastic=True)
             now = self._missing(found, conditions)
             y, missed = (found, now) if now < missed else (y, missed)
         return y
@@ -149,13 +152,10 @@ class Search:
 
     def _solve(self, y: FloatArray, conditions: Sequence[Condition], *, elastic: bool) -> FloatArray:
         """Return where SLSQP goes from here, in the ranges: those that it would leave are added until it leaves none."""
-        space, basis = self.problem.space, self.problem.basis
-        width = space.high - space.low
-        count = len(space.start)
-        parameters = np.arange(space.coordinates, count)
-        ends = np.concatenate([parameters, parameters + count])  # low ones, then high ones
-        rows = np.concatenate([basis, -basis]) / np.tile(width, 2)[:, None]
-        edges = np.concatenate([space.start - space.low, space.high - space.start]) / np.tile(width, 2)
+        count = len(self.problem.space.start)
+        parameters = np.arange(self.problem.space.coordinates, count)
+        ends = np.concatenate([parameters, parameters + count])
+        rows, edges = self._ends()
         at = _At(self.problem, conditions)
         x = y
         for _ in range(_RANGES):
@@ -166,6 +166,13 @@ class Search:
             ends = np.union1d(ends, left)
             x = self._inside(x, y, rows, edges)
         return x
+
+    def _ends(self) -> tuple[FloatArray, FloatArray]:
+        """Return rows and constants of what is 0 or more in the ranges: low ends, then high ones, as shares of them."""
+        space, basis = self.problem.space, self.problem.basis
+        width = np.tile(space.high - space.low, 2)
+        edges = np.concatenate([space.start - space.low, space.high - space.start])
+        return np.concatenate([basis, -basis]) / width[:, None], edges / width
 
     def _stepped(
         self,

@@ -235,6 +235,9 @@ def unknowns(
 def _step(space: Unknowns, index: int) -> float:
     """Return a step in one unknown: a wide one where the surface is affine in it, as tried, else a small one."""
     width = float(space.high[index] - space.low[index])
+    if index >= space.coordinates and space.ranges[index - space.coordinates].name not in space.patch.definition.ranges:
+        # A size must not be stepped below 0 from the low end of its range.
+        return 1e-3 * min(width, max(abs(float(space.low[index])), 1e-3 * width))
     u, v = (part.ravel() for part in np.meshgrid(np.linspace(0.0, 1.0, 4), np.linspace(0.0, 1.0, 4)))
     middle = np.clip(space.start, space.low, space.high)
     middle[index] = 0.5 * (space.low[index] + space.high[index])
