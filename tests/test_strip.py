@@ -54,7 +54,7 @@ def test_what_is_no_developable_is_told_and_is_better_than_equal_parameters():
         p = surface.partials(u, v, 1)
         n = np.cross(p[1, 0], p[0, 1])
         n /= np.linalg.norm(n, axis=-1, keepdims=True)
-        return np.degrees(np.arccos(np.clip(np.abs((n[:, 0] * n[:, 1]).sum(-1)), 0, 1)))
+        return np.degrees(np.arccos(np.clip((n[:, 0] * n[:, 1]).sum(-1), -1, 1)))
 
     assert np.sqrt((twist(found.surface) ** 2).mean()) < np.sqrt((twist(plain.surface) ** 2).mean())
     assert twist(found.surface).max() == pytest.approx(found.twist, rel=0.05)

@@ -22,6 +22,7 @@ from quintrig.support.arrays import FloatArray
 _GRID = 97  # rulings, and points of the second curve, in the first search
 _STEEPEST = 5  # cells that t may rise by from one ruling to the next
 _DEGREE = 14  # of t(s)
+_SLOWEST = 0.1  # pace of t: where rulings fan out from one point, the patch would have no normal there
 _MOST_POINTS = 32  # of the second curve anew
 _FITS = 1e-7  # of its size: with so little deviation it has points enough
 _SMOOTH = 1e-4  # of a smooth t(s), beside twist
@@ -74,7 +75,8 @@ def strip(first: Curve, second: Curve, unit: str = "", name: str = "strip") -> S
     s = np.linspace(0.0, 1.0, 257)
     t = _matched(first, second, s, turned)
     plain = 1.0 - s if turned else s
-    same = np.abs(_sines(first, second, s, plain)).max() <= 1e-9
+    way = -1.0 if turned else 1.0
+    same = np.abs(_turns(first, second, s, plain, way)).max() <= 1e-9
     t = plain if same else t
     model, deviation = _patch(first, second, s, t, turned, unit, name, exact=same and not turned)
     surface = model.surface
@@ -84,14 +86,14 @@ def strip(first: Curve, second: Curve, unit: str = "", name: str = "strip") -> S
     return Strip(model, s, t, _twist(surface), float(np.nanmax(gauss)), deviation)
 
 
-def _sines(first: Curve, second: Curve, s: FloatArray, t: FloatArray) -> FloatArray:
-    """Return the sine of the angle between the normals at both ends of rulings, with sign."""
+def _turns(first: Curve, second: Curve, s: FloatArray, t: FloatArray, way: float) -> FloatArray:
+    """Return by how much the normal turns along rulings, radians with sign; ``way`` -1 where the second runs back."""
     a, b = first.derivatives(s, 1), second.derivatives(t, 1)
-    r = b[0] - a[0]
+    r, ahead = b[0] - a[0], way * b[1]
     length = np.linalg.norm(r, axis=-1)
-    below = np.linalg.norm(np.cross(a[1], r), axis=-1) * np.linalg.norm(np.cross(b[1], r), axis=-1)
-    above = length * (np.cross(a[1], b[1]) * r).sum(axis=-1)
-    return np.divide(above, below, out=np.zeros_like(above), where=below > 1e-14 * below.max())
+    sine = length * (np.cross(a[1], ahead) * r).sum(axis=-1)
+    cosine = (np.cross(a[1], r) * np.cross(ahead, r)).sum(axis=-1)
+    return np.arctan2(sine, cosine)
 
 
 def _matched(first: Curve, second: Curve, s: FloatArray, turned: bool) -> FloatArray:
@@ -103,7 +105,7 @@ def _matched(first: Curve, second: Curve, s: FloatArray, turned: bool) -> FloatA
     span = max(float(np.ptp(part, axis=0).max()) for part in points)
     if np.linalg.norm(first(grid)[:, None] - second(way), axis=-1).min() <= 1e-9 * span:
         raise ValueError("first, second: the curves meet, and rulings there have no length; cut them off before")
-    cost = _sines(first, second, a.ravel(), b.ravel()).reshape(_GRID, _GRID) ** 2
+    cost = _turns(first, second, a.ravel(), b.ravel(), -1.0 if turned else 1.0).reshape(_GRID, _GRID) ** 2
     total: FloatArray = np.full((_GRID, _GRID), np.inf)
     came = np.zeros((_GRID, _GRID), dtype=np.int64)
     total[0, 0] = cost[0, 0]
@@ -126,11 +128,12 @@ def _matched(first: Curve, second: Curve, s: FloatArray, turned: bool) -> FloatA
 
     def rising(x: FloatArray) -> FloatArray:
         steps = np.exp(x - x.max())
-        share = functions @ np.concatenate([[0.0], np.cumsum(steps) / steps.sum()])
+        rise = _SLOWEST / _DEGREE + (1.0 - _SLOWEST) * steps / steps.sum()
+        share = functions @ np.concatenate([[0.0], np.cumsum(rise)])
         return np.clip(1.0 - share if turned else share, 0.0, 1.0)
 
     def residual(x: FloatArray) -> FloatArray:
-        return np.concatenate([_sines(first, second, s, rising(x)), 1e-5 * np.diff(x)])
+        return np.concatenate([_turns(first, second, s, rising(x), -1.0 if turned else 1.0), 1e-5 * np.diff(x)])
 
     best: Any = None
     for start in (np.log(rises), np.zeros(_DEGREE)):  # a constant is taken out by the sum
@@ -187,5 +190,5 @@ def _twist(surface: Surface) -> float:
     size = np.linalg.norm(normals, axis=-1)
     fair = size.min(axis=0) > 1e-9 * size.max()
     sine = np.linalg.norm(np.cross(*normals), axis=-1)
-    angle = np.degrees(np.arctan2(sine, np.abs((normals[0] * normals[1]).sum(axis=-1))))
+    angle = np.degrees(np.arctan2(sine, (normals[0] * normals[1]).sum(axis=-1)))
     return float(angle[fair].max(initial=0.0))
