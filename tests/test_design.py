@@ -136,10 +136,25 @@ def test_what_contradicts_is_named_and_the_rest_is_not():
     assert [one.met for one in found.outcomes][2]
 
 
-def test_a_target_and_seams_are_kept():
+def test_a_seam_is_made_and_kept():
+    x, y = np.meshgrid(np.linspace(0, 1, 6), np.linspace(0, 1, 6), indexing="ij")
+    bump = np.random.default_rng(1).normal(size=(6, 6)) * 0.1
+    left = {"name": "left", "kind": "tensor", "points": np.stack([x, y, bump], -1).tolist()}
+    right = {"name": "right", "kind": "tensor", "points": np.stack([x + 1.0, y, 0.5 * bump], -1).tolist()}
+    model = quintrig.Model.from_dict({"name": "two", "unit": "m", "patch": [left, right]})
+    goals = {"model": model, "patch": "right", "minimise": "thin_plate", "vary": {"points": 1.0, "shape": True},
+             "seam": [{"first": "left:u1", "second": "right:u0", "order": "G2"}],
+             "through": [{"point": [1.5, 0.5, 0.4]}]}  # fmt: skip
+    found = quintrig.design(goals, starts=1)
+    assert found.met
+    assert found.model.joins()[0].order in ("G2", "G3")
+    assert any("alpha1 stays" in note for note in found.notes)
+
+
+def test_a_target_is_met():
     model = example("tensor")
-    moved = model.surface(*np.random.default_rng(2).uniform(0, 1, (2, 60))) + [0, 0, 0.3]
-    goals = {"model": model, "minimise": "deviation", "vary": {"points": 1.0}, "target": [{"points": moved.tolist()}],
+    moved = model.surface(*np.random.default_rng(2).uniform(0, 1, (2, 60))) + np.array([0, 0, 0.3])
+    goals = {"model": model, "minimise": "deviation", "vary": {"points": 1.0, "only": ["z"]}, "target": [{"points": moved.tolist()}],
              "demands": ["deviation <= 0.05"]}  # fmt: skip
     found = quintrig.design(goals, starts=1)
     assert found.met

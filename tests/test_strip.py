@@ -68,7 +68,7 @@ def test_curves_in_the_plane_and_curves_that_meet_are_refused():
 
 
 def test_the_command_writes_a_ruled_patch(tmp_path):
-    model = quintrig.Model.of_curves([quintrig.Curve(BASE), quintrig.Curve(BASE + [0, 1, 5])], unit="m")
+    model = quintrig.Model.of_curves([quintrig.Curve(BASE), quintrig.Curve(BASE + np.array([0, 1, 5]))], unit="m")
     quintrig.save(model, tmp_path / "rails.toml")
     done = run("strip", tmp_path / "rails.toml", "-o", tmp_path / "strip.toml", "--json")
     assert done.code == 0, done.err
