@@ -116,7 +116,9 @@ def test_a_tangent_plane_and_a_hold_are_met_exactly():
 def test_demands_hold_between_the_points_that_were_seen():
     model = example("swept")
     size = model.surface.size
-    found = quintrig.design({"model": model, "vary": {"points": 0.2 * size, "only": ["z"]}, "demands": ["gaussian >= 0"]}, starts=1)
+    found = quintrig.design(
+        {"model": model, "vary": {"points": 0.2 * size, "only": ["z"]}, "demands": ["gaussian >= 0"]}, starts=1
+    )
     assert found.met
     assert found.outcomes[0].binds
     t = np.linspace(0, 1, 201)

@@ -40,7 +40,7 @@ def strip(
     loaded = session.load_any(curves)
     names = [one.name for one in loaded.curves]
     if (first is None or second is None) and len(names) != 2:
-        raise ValueError(f"{curves}: expected a model of two curves, found {len(names)}; name two with --first, --second")
+        raise ValueError(f"{curves}: expected a model of two curves, found {len(names)}; name --first and --second")
     from quintrig.shaping.strip import strip as make
     from quintrig.support.files import refuse_loss
 

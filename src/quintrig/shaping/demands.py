@@ -276,7 +276,7 @@ def demands(text: str, unit: str = "") -> tuple[Demand, ...]:
         raise wrong
     left, sign, right = parts
     if sign in ("=", "=="):
-        raise ValueError(f"demands: {text[:60]!r}: expected >= or <=, found {sign}; a surface meets no equation exactly")
+        raise ValueError(f"demands: {text[:60]!r}: expected >= or <=, found {sign}; no surface meets it exactly")
     if re.match(_NUMBER, left):
         left, sign, right = right, _turned(sign), left
     return (_demand(text, left, sign, right, unit),)

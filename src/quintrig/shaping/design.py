@@ -1,4 +1,4 @@
-"""``design``: the patch that meets demands with the least of an objective, or the best compromise and what contradicts."""
+"""``design``: the patch that meets demands with the least of an objective, or the best compromise."""
 
 import hashlib
 import json
@@ -20,8 +20,8 @@ from quintrig.shaping.goals import Goals, Target, read_goals
 from quintrig.shaping.holds import ORDERS, Hold, usual
 from quintrig.shaping.problem import (
     Condition,
-    InTotal,
     Integral,
+    InTotal,
     Near,
     OnSurface,
     Passing,
@@ -155,7 +155,9 @@ def design(
     conditions = _conditions(read, patch)
     whole = regular(patch.surface) if read.points is not None else None
     objective, scale = _objective(read, patch, conditions)
-    problem = Problem(space, objective, [*conditions, *([whole] if whole else [])], search_basis(space, read.minimise in ENERGIES), scale)
+    always = [whole] if whole else []
+    basis = search_basis(space, read.minimise in ENERGIES)
+    problem = Problem(space, objective, [*conditions, *always], basis, scale)
     log = _Log(Path(state) if state is not None else None, _digest(read, space), starts, progress)
     best, done, stopped = _searched(problem, log, starts, seed)
     clash: tuple[Condition, ...] = ()
@@ -168,10 +170,11 @@ def design(
             again = search.run(best.y)
             best = again if again.better(best) else best
             if not met(best.missed):
-                clash = contradiction(search, best.y, conditions, [whole] if whole else [])
+                clash = contradiction(search, best.y, conditions, always)
         except KeyboardInterrupt:
             stopped = True
-    return _result(read, model, replace(problem, conditions=conditions), best, clash, done, stopped, (*notes, *space.notes), prove)
+    asked = replace(problem, conditions=conditions)
+    return _result(read, model, asked, best, clash, done, stopped, (*notes, *space.notes), prove)
 
 
 def _searched(problem: Problem, log: "_Log", starts: int, seed: int) -> tuple[Found, int, bool]:
@@ -210,8 +213,8 @@ def _start(problem: Problem, seed: int) -> FloatArray:
     """Return a place at random: parameters anywhere in the middle of their ranges, points a part of what they may."""
     rng = np.random.default_rng(seed)
     space = problem.space
-    y = rng.normal(size=problem.basis.shape[1])
-    free = space.directions.shape[1]
+    y: FloatArray = np.asarray(rng.normal(size=problem.basis.shape[1]), dtype=np.float64)
+    free = problem.basis.shape[1] - len(space.ranges)
     for index in range(space.coordinates, len(space.start)):
         column = free + index - space.coordinates
         wanted = space.low[index] + (0.1 + 0.8 * rng.random()) * (space.high[index] - space.low[index])
@@ -348,7 +351,7 @@ def _points(one: Target, goals: Goals) -> FloatArray:
         assert one.file is not None
         path = goals.folder / one.file
         try:
-            points = np.asarray(call("open_target", path, unit).points, dtype=np.float64)
+            points: FloatArray = np.asarray(call("open_target", path, unit).points, dtype=np.float64)
         except KeyError:  # without the readers of scans: tables alone
             points = np.array([row[:3] for row in read_net(path)], dtype=np.float64)
     if points.ndim != 2 or points.shape[1] != 3 or len(points) < 1 or not np.isfinite(points).all():
@@ -356,9 +359,7 @@ def _points(one: Target, goals: Goals) -> FloatArray:
     return points
 
 
-def _objective(
-    goals: Goals, patch: Patch, conditions: Sequence[Condition]
-) -> tuple[Integral | Near | None, float]:
+def _objective(goals: Goals, patch: Patch, conditions: Sequence[Condition]) -> tuple[Integral | Near | None, float]:
     surface = patch.surface
     if goals.minimise == "none":
         return None, 1.0

@@ -200,7 +200,7 @@ def _model(given: Any, folder: Path) -> Model:
     if isinstance(given, Model):
         return given
     if given is None:
-        raise ModelError('missing key \'model\': expected the name of a model file, such as model = "lid.toml"')
+        raise ModelError("missing key 'model': expected the name of a model file, such as model = \"lid.toml\"")
     if isinstance(given, Mapping):
         return Model.from_dict(cast(Mapping[str, Any], given), folder)
     if not isinstance(given, (str, Path)):
@@ -215,7 +215,7 @@ def _ranges(vary: Vary, model: Model, name: str) -> tuple[Range, ...]:
     asked: dict[str, Any] = dict(vary.model_extra or {})
     if vary.shape:
         if not bounds or not patch.definition.acting:
-            raise ModelError(f'vary: shape: a {patch.kind} has no shape parameters that act')
+            raise ModelError(f"vary: shape: a {patch.kind} has no shape parameters that act")
         asked = {key: [one.low, one.high] for key, one in bounds.items()} | asked
     found: list[Range] = []
     for key, value in asked.items():
@@ -258,5 +258,3 @@ def _explained(error: ValidationError) -> str:
     if first["type"] == "missing":
         return f"missing key {place!r}"
     return f"{place}: {first['msg'][0].lower()}{first['msg'][1:]}, got {spell(first['input'])}"
-
-

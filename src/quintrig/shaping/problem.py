@@ -41,10 +41,14 @@ class Worst:
 
 
 class Condition(Protocol):
-    """What a design is to meet; ``name`` as the user wrote it, ``equal`` where it is to be 0, not just above."""
+    """What a design is to meet: ``equal`` where it is to be 0, not just above."""
 
-    name: str
     equal: bool
+
+    @property
+    def name(self) -> str:
+        """As the user wrote it."""
+        ...
 
     def values(self, state: State) -> tuple[FloatArray, FloatArray]:
         """Return values (k,) and their gradients by the unknowns (k, n)."""
@@ -386,21 +390,22 @@ class Twist:
         """Return sin(angle) ∓ |R| det(A', B', R) / (|A' x R| |B' x R|), R = B - A, and the gradients."""
         u, first, second, r = self._ends(state, self.count)
         a, b = first[1], second[1]
-        na, nb, length = np.cross(a, r), np.cross(b, r), _norm(r)
+        na, nb = (np.asarray(np.cross(one, r), dtype=np.float64) for one in (a, b))
+        length = _norm(r)
         da, db = _norm(na), _norm(nb)
         tiny = np.finfo(float).tiny
-        sine = length * _dot(np.cross(a, b), r) / np.maximum(da * db, tiny)
+        sine = length * _dot(np.asarray(np.cross(a, b), dtype=np.float64), r) / np.maximum(da * db, tiny)
         scale = (length / np.maximum(da * db, tiny))[:, None]
         back_a, back_b = (sine / np.maximum(d**2, tiny) for d in (da, db))
-        by_a = scale * np.cross(b, r) - back_a[:, None] * np.cross(r, na)
-        by_b = scale * np.cross(r, a) - back_b[:, None] * np.cross(r, nb)
-        by_r = (
+        by_a: FloatArray = scale * np.cross(b, r) - back_a[:, None] * np.cross(r, na)
+        by_b: FloatArray = scale * np.cross(r, a) - back_b[:, None] * np.cross(r, nb)
+        by_r: FloatArray = (
             scale * np.cross(a, b)
             + (sine / np.maximum(length**2, tiny))[:, None] * r
             - back_a[:, None] * np.cross(na, a)
             - back_b[:, None] * np.cross(nb, b)
         )
-        zero = np.zeros_like(by_a)
+        zero: FloatArray = np.zeros_like(by_a)
         rows = state.pulled(u, np.zeros_like(u), np.stack([-by_r, by_a, zero])) + state.pulled(
             u, np.ones_like(u), np.stack([by_r, by_b, zero])
         )
@@ -524,10 +529,11 @@ def search_basis(space: Unknowns, smooth: bool) -> FloatArray:
     choice = space.directions
     forms_of = [quadratic(space.of, order).form[np.ix_(space.chosen, space.chosen)] for order in (2, 0)]
     plate, mass = (choice.T @ form @ choice for form in forms_of)
-    mass = mass / (np.trace(mass) / free or 1.0) + 1e-9 * np.eye(free)
-    plate = plate / (np.trace(plate) / free or 1.0)
-    metric = plate + 1e-5 * mass if smooth else mass
-    lower = np.linalg.cholesky(metric)
-    root = np.linalg.solve(lower, np.eye(free)).T
-    basis[:count, :free] = choice @ root * (0.1 * width[0] / np.abs(root).max(axis=0).mean())
-    return basis
+    plate, mass = (form / (np.trace(form) / free or 1.0) for form in (plate, mass))
+    sizes, vectors = np.linalg.eigh(plate + 1e-5 * mass if smooth else mass)
+    kept = sizes > 1e-9 * sizes[-1]  # a swept surface stands still where its curves shift against each other
+    root = vectors[:, kept] / np.sqrt(sizes[kept])
+    moves = choice @ root
+    moves *= 0.1 * width[0] / float(np.median(np.abs(moves).max(axis=0)))
+    return np.block([[moves, np.zeros((count, len(width) - count))], [np.zeros((len(width) - count, moves.shape[1])),
+                     basis[count:, free:]]])  # fmt: skip

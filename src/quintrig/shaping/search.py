@@ -146,12 +146,13 @@ class Search:
         try:
             with np.errstate(all="ignore"):
                 state = self.problem.state(y)
-                return any([one.exchange(state) for one in conditions])
+                found = [one.exchange(state) for one in conditions]  # all of them, whatever the first one says
+                return any(found)
         except (ValueError, ArithmeticError):
             return False
 
     def _solve(self, y: FloatArray, conditions: Sequence[Condition], *, elastic: bool) -> FloatArray:
-        """Return where SLSQP goes from here, in the ranges: those that it would leave are added until it leaves none."""
+        """Return where SLSQP goes from here; ends of ranges that it would leave are added until it leaves none."""
         count = len(self.problem.space.start)
         parameters = np.arange(self.problem.space.coordinates, count)
         ends = np.concatenate([parameters, parameters + count])
@@ -237,7 +238,13 @@ class Search:
 
 
 def _constraint(kind: str, both: Callable[[FloatArray], tuple[FloatArray, FloatArray]]) -> dict[str, Any]:
-    return {"type": kind, "fun": lambda x: both(x)[0], "jac": lambda x: both(x)[1]}
+    def values(x: FloatArray) -> FloatArray:
+        return both(x)[0]
+
+    def rows(x: FloatArray) -> FloatArray:
+        return both(x)[1]
+
+    return {"type": kind, "fun": values, "jac": rows}
 
 
 def _wide(rows: FloatArray, slacks: int, owner: int | None = None) -> FloatArray:
@@ -255,7 +262,7 @@ def _missed(values: FloatArray, one: Condition) -> float:
 def contradiction(
     search: Search, y: FloatArray, conditions: Sequence[Condition], always: Sequence[Condition] = ()
 ) -> tuple[Condition, ...]:
-    """Return conditions that contradict each other, none of which may be left out (a deletion filter; Chinneck 2008)."""
+    """Return conditions that contradict each other, none of which can be left out (deletion filter; Chinneck 2008)."""
     kept = list(conditions)
     for one in conditions:
         fewer = [other for other in kept if other is not one]

@@ -67,7 +67,7 @@ def strip(first: Curve, second: Curve, unit: str = "", name: str = "strip") -> S
     """
     for word, curve in (("first", first), ("second", second)):
         if curve.points.shape[1] != 3:
-            raise ValueError(f"{word}: expected a curve in space, found one in the plane; give its points a third number")
+            raise ValueError(f"{word}: expected a curve in space, found one in the plane; give its points a z")
     ends = [curve(np.array([0.0, 1.0])) for curve in (first, second)]
     ahead = np.linalg.norm(ends[0] - ends[1], axis=1).sum()
     back = np.linalg.norm(ends[0] - ends[1][::-1], axis=1).sum()
@@ -158,8 +158,8 @@ def _patch(
     for count in range(6, _MOST_POINTS + 1, 2):
         f = Bernstein(count - 1).derivatives(s, 0)[0]
         ends = wanted[[0, -1]]
-        inner = np.linalg.lstsq(f[:, 1:-1], wanted - f[:, [0, -1]] @ ends, rcond=None)[0]
-        tried = np.vstack([ends[0], inner, ends[1]])
+        inner: FloatArray = np.linalg.lstsq(f[:, 1:-1], wanted - f[:, [0, -1]] @ ends, rcond=None)[0]
+        tried: FloatArray = np.vstack([ends[:1], inner, ends[1:]])
         far = _off(f @ tried, second)
         if far < off:
             points, off = tried, far
@@ -189,6 +189,6 @@ def _twist(surface: Surface) -> float:
     normals = [np.cross(p[1, 0], p[0, 1]) for p in ends]
     size = np.linalg.norm(normals, axis=-1)
     fair = size.min(axis=0) > 1e-9 * size.max()
-    sine = np.linalg.norm(np.cross(*normals), axis=-1)
+    sine = np.linalg.norm(np.cross(normals[0], normals[1]), axis=-1)
     angle = np.degrees(np.arctan2(sine, (normals[0] * normals[1]).sum(axis=-1)))
     return float(angle[fair].max(initial=0.0))

@@ -273,7 +273,7 @@ def _flat(patch: Patch) -> FloatArray:
     """Return all coordinates of control points, or planes, in the order of the kind's keys."""
     arrays = _arrays(patch)
     if not arrays:
-        raise ModelError(f'vary: points: a {patch.kind} has no control points to vary; vary its {_has(patch)}')
+        raise ModelError(f"vary: points: a {patch.kind} has no control points to vary; vary its {_has(patch)}")
     return np.concatenate([one.ravel() for one in arrays.values()])
 
 
