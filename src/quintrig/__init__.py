@@ -61,6 +61,8 @@ if TYPE_CHECKING:
     from quintrig.shaping.design import design as design
     from quintrig.shaping.fair import Fairing as Fairing
     from quintrig.shaping.fair import fair as fair
+    from quintrig.shaping.fair_curve import CurveFairing as CurveFairing
+    from quintrig.shaping.fair_curve import fair_curve as fair_curve
     from quintrig.shaping.strip import Strip as Strip
     from quintrig.shaping.strip import strip as strip
     from quintrig.support.errors import ModelError as ModelError
@@ -109,6 +111,7 @@ _HOME = {
     "geometry.domain": ("grid",),
     "shaping.design": ("Design", "design"),
     "shaping.fair": ("Fairing", "fair"),
+    "shaping.fair_curve": ("CurveFairing", "fair_curve"),
     "shaping.strip": ("Strip", "strip"),
     "geometry.surface": ("Surface",),
 }
