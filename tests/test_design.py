@@ -8,8 +8,9 @@ import pytest
 
 import quintrig
 from cli_runner import quintrig as run
+from quintrig.shaping.conditions import InTotal, OnSurface, integral, on_surface, regular
 from quintrig.shaping.demands import demands
-from quintrig.shaping.problem import InTotal, Passing, TangentPlane, Twist, integral, near, on_surface, regular
+from quintrig.shaping.places import Passing, TangentPlane, Twist, near
 from quintrig.shaping.unknowns import Range, unknowns
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
@@ -60,7 +61,7 @@ def test_gradients_are_those_of_differences(name):
     conditions += [Twist("twist", 3.0)] if name == "ruled" else []
     step = 1e-6
     for one in conditions:
-        if isinstance(one, type(conditions[0])):
+        if isinstance(one, OnSurface):
             one.seen = one.seen[rng.integers(0, len(one.seen), 5)]
         value, rows = one.values(space.at(values))
         ahead, back = (one.values(space.at(values + sign * step * direction))[0] for sign in (1.0, -1.0))
@@ -146,7 +147,7 @@ def test_a_seam_is_made_and_kept():
     model = quintrig.Model.from_dict({"name": "two", "unit": "m", "patch": [left, right]})
     goals = {"model": model, "patch": "right", "minimise": "thin_plate", "vary": {"points": 1.0, "shape": True},
              "seam": [{"first": "left:u1", "second": "right:u0", "order": "G2"}],
-             "through": [{"point": [1.5, 0.5, 0.4]}]}  # fmt: skip
+             "through": [{"point": [1.5, 0.5, 0.4], "u": 0.5, "v": 0.5}]}  # fmt: skip
     found = quintrig.design(goals, starts=1)
     assert found.met
     assert found.model.joins()[0].order in ("G2", "G3")
@@ -156,11 +157,25 @@ def test_a_seam_is_made_and_kept():
 def test_a_target_is_met():
     model = example("tensor")
     moved = model.surface(*np.random.default_rng(2).uniform(0, 1, (2, 60))) + np.array([0, 0, 0.3])
-    goals = {"model": model, "minimise": "deviation", "vary": {"points": 1.0, "only": ["z"]}, "target": [{"points": moved.tolist()}],
-             "demands": ["deviation <= 0.05"]}  # fmt: skip
+    goals = {"model": model, "minimise": "deviation", "vary": {"points": 1.0, "only": ["z"]},
+             "target": [{"points": moved.tolist()}], "demands": ["deviation <= 0.05"]}  # fmt: skip
     found = quintrig.design(goals, starts=1)
     assert found.met
     assert found.after < 0.01 < found.before
+
+
+def test_a_ruled_patch_is_made_developable_within_an_angle():
+    model = example("ruled")
+    size = model.surface.size
+    goals = {"model": model, "vary": {"points": 0.3 * size, "hold": ["v0"]}, "developable": 2.0}
+    found = quintrig.design(goals, starts=1)
+    assert found.met
+    assert found.outcomes[0].worst <= 2.0001
+    u = np.linspace(0, 1, 101)
+    ends = [found.model.surface.partials(u, np.full_like(u, v), 1) for v in (0.0, 1.0)]
+    a, b = (np.cross(p[1, 0], p[0, 1]) for p in ends)
+    sine = np.linalg.norm(np.cross(a, b), axis=-1) / np.linalg.norm(a, axis=-1) / np.linalg.norm(b, axis=-1)
+    assert np.degrees(np.arcsin(sine)).max() <= 2.001
 
 
 def test_a_stopped_search_keeps_the_best_and_goes_on(tmp_path):

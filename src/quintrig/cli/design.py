@@ -11,7 +11,8 @@ from quintrig.cli.ending import FOUND
 from quintrig.cli.options import Force
 
 if TYPE_CHECKING:
-    from quintrig.shaping.design import Design, Outcome
+    from quintrig.shaping.design import Design
+    from quintrig.shaping.outcomes import Outcome
 
 _INTERRUPTED = 130
 _EPILOG = session.examples(

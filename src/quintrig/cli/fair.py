@@ -89,7 +89,12 @@ def fair(
         session.emit(json.dumps(done.to_dict(), ensure_ascii=False))
     else:
         _tell(done)
-    if output is not None:
+    if output is not None and loaded.curves:
+        from quintrig.model.save import save
+
+        save(done.model, output)
+        session.wrote(output)
+    elif output is not None:
         from quintrig.exchange.export import export
 
         session.told(export(done.model, output))

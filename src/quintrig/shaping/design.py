@@ -1,10 +1,8 @@
 """``design``: the patch that meets demands with the least of an objective, or the best compromise."""
 
 import hashlib
-import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -14,75 +12,22 @@ from quintrig.model.model import Model
 from quintrig.model.patch import Patch
 from quintrig.model.reading import read_net
 from quintrig.multipatch.attach import attach
-from quintrig.shaping.demands import ANGLES, CURVATURES, TOTALS
+from quintrig.shaping.conditions import Condition, Integral, InTotal, integral, on_surface, regular
 from quintrig.shaping.energies import ENERGIES, measured
 from quintrig.shaping.goals import Goals, Target, read_goals
 from quintrig.shaping.holds import ORDERS, Hold, usual
-from quintrig.shaping.problem import (
-    Condition,
-    Integral,
-    InTotal,
-    Near,
-    OnSurface,
-    Passing,
-    Problem,
-    TangentPlane,
-    Twist,
-    Worst,
-    integral,
-    near,
-    near_given,
-    on_surface,
-    regular,
-    search_basis,
-)
+from quintrig.shaping.kept import Log
+from quintrig.shaping.outcomes import Outcome, outcome
+from quintrig.shaping.places import Near, Passing, TangentPlane, Twist, near, near_given
+from quintrig.shaping.problem import Problem, search_basis
 from quintrig.shaping.search import Found, Search, contradiction, met
 from quintrig.shaping.unknowns import Unknowns, unknowns
 from quintrig.support.arrays import FloatArray
 from quintrig.support.errors import ModelError
-from quintrig.support.files import write_whole
 from quintrig.support.late import call
 from quintrig.support.progress import Progress
 
-_BINDS = 1e-3  # scaled: a demand that is met with less to spare holds the design back
 _FAR = 0.25  # of each range a start is away from the given design, at random
-_NOT_PROVED = "not proved"
-
-
-@dataclass(frozen=True)
-class Outcome:
-    """What came of a demand: whether it is ``met``, whether it ``binds``, the ``worst`` value and where.
-
-    ``missed`` is by how much it is not met, 1 being natural for a patch of this size. ``verdict`` is proved, refuted,
-    undecided, or "not proved" where there is no proof of such a demand: it is met at 65 x 65 points then.
-    """
-
-    demand: str
-    met: bool
-    binds: bool
-    worst: float
-    missed: float
-    unit: str
-    u: float | None
-    v: float | None
-    point: tuple[float, ...] | None
-    verdict: str
-
-    def to_dict(self) -> dict[str, Any]:
-        """Return it as keys and values; what is not finite is null."""
-        worst = self.worst if np.isfinite(self.worst) else None
-        return {
-            "demand": self.demand,
-            "met": self.met,
-            "binds": self.binds,
-            "worst": worst,
-            "missed": self.missed if np.isfinite(self.missed) else None,
-            "unit": self.unit,
-            "u": self.u,
-            "v": self.v,
-            "point": None if self.point is None else list(self.point),
-            "verdict": self.verdict,
-        }
 
 
 @dataclass(frozen=True, eq=False)
@@ -158,7 +103,7 @@ def design(
     always = [whole] if whole else []
     basis = search_basis(space, read.minimise in ENERGIES)
     problem = Problem(space, objective, [*conditions, *always], basis, scale)
-    log = _Log(Path(state) if state is not None else None, _digest(read, space), starts, progress)
+    log = Log(Path(state) if state is not None else None, _digest(read, space), starts, progress)
     best, done, stopped = _searched(problem, log, starts, seed)
     clash: tuple[Condition, ...] = ()
     if not met(best.missed) and not stopped and len(conditions):
@@ -177,11 +122,12 @@ def design(
     return _result(read, model, asked, best, clash, done, stopped, (*notes, *space.notes), prove)
 
 
-def _searched(problem: Problem, log: "_Log", starts: int, seed: int) -> tuple[Found, int, bool]:
+def _searched(problem: Problem, log: Log, starts: int, seed: int) -> tuple[Found, int, bool]:
     """Return the best of several starts, how many were done, and whether it was interrupted."""
     count = problem.basis.shape[1]
     search = Search(problem)
-    best = search.judged(np.zeros(count), problem.conditions)
+    given: FloatArray = np.zeros(count)
+    best = search.judged(given, problem.conditions)
     kept, first = log.kept(count)
     if kept is not None:
         found = search.judged(kept, problem.conditions)
@@ -224,38 +170,6 @@ def _start(problem: Problem, seed: int) -> FloatArray:
         width = space.high[: space.coordinates] - space.low[: space.coordinates]
         y[:free] *= _FAR / float(np.abs(step / width).max() or 1.0)
     return y
-
-
-class _Log:
-    """Tells progress, and keeps what was reached in a file."""
-
-    def __init__(self, file: Path | None, digest: str, starts: int, progress: Progress | None) -> None:
-        self.file, self.digest, self.starts, self.progress = file, digest, starts, progress
-        self.done = 0
-
-    def tell(self, what: str, done: int) -> None:
-        if self.progress is not None:
-            self.progress(what, done, self.starts)
-
-    def keep(self, best: Found) -> None:
-        if self.file is not None:
-            data = {"goals": self.digest, "done": self.done, "best": best.y.tolist()}
-            write_whole(self.file, json.dumps(data))
-
-    def kept(self, count: int) -> tuple[FloatArray | None, int]:
-        """Return where an earlier search of the same goals ended, and how many starts it had done."""
-        if self.file is None or not self.file.exists():
-            return None, 0
-        try:
-            data = json.loads(self.file.read_text(encoding="utf-8"))
-            same = data["goals"] == self.digest
-            y = np.array(data["best"], dtype=np.float64)
-            done = int(data["done"])
-        except (OSError, ValueError, KeyError, TypeError):
-            raise ValueError(f"state: {self.file} holds no state of a design; name another file") from None
-        if not same or y.shape != (count,) or not np.isfinite(y).all():
-            raise ValueError(f"state: {self.file} is of other goals or another model; name another file")
-        return y, done
 
 
 def _digest(goals: Goals, space: Unknowns) -> str:
@@ -396,7 +310,7 @@ def _result(
     if model.held:
         changed = model.with_patch(patch)
     state = problem.space.at(np.clip(problem.unknowns(best.y), problem.space.low, problem.space.high))
-    outcomes = tuple(_outcome(one, one.worst(state), patch, model.unit, prove) for one in problem.conditions)
+    outcomes = tuple(outcome(one, one.worst(state), patch, model.unit, prove) for one in problem.conditions)
     told = list(notes)
     if any(not one.met for one in outcomes) and not clash and not stopped:
         told.append("no design meets every demand from these starts; more of them may find one")
@@ -427,45 +341,3 @@ def _amount(goals: Goals, problem: Problem, patch: Patch) -> float:
         first, second = (one.surface(t[:, None], t) for one in (problem.space.patch, patch))
         return float(np.sqrt(((first - second) ** 2).sum(axis=-1).mean()))
     return problem.objective.value(problem.space.at(problem.space.values_of(patch)))[0]
-
-
-def _outcome(one: Condition, worst: Worst, patch: Patch, unit: str, prove: bool) -> Outcome:
-    missed = max(-worst.slack, 0.0)
-    place = None
-    if worst.u is not None and worst.v is not None:
-        place = tuple(patch.surface(worst.u, worst.v).tolist())
-    reached = met(missed)
-    verdict = _NOT_PROVED
-    if prove and isinstance(one, OnSurface):
-        verdict = _verdict(one, patch)
-    reached = reached and verdict != "refuted"
-    near_bound = abs(worst.slack) <= _BINDS
-    return Outcome(one.name, reached, one.equal or near_bound, worst.value, missed, _unit(one, unit), worst.u, worst.v,
-                   place, verdict)  # fmt: skip
-
-
-def _verdict(one: OnSurface, patch: Patch) -> str:
-    """Return what a proof comes to, where there are proofs."""
-    try:
-        proofs = import_module("quintrig.analysis.proofs")
-    except ModuleNotFoundError:
-        return _NOT_PROVED
-    try:
-        return str(proofs.prove(patch, one.demand.claim).verdict)
-    except ValueError:
-        return _NOT_PROVED
-
-
-def _unit(one: Condition, unit: str) -> str:
-    """Return the unit of what is told of a condition."""
-    if isinstance(one, TangentPlane | Twist):
-        return "deg"
-    power = 1
-    if isinstance(one, OnSurface | InTotal):
-        if one.demand.key in ANGLES:
-            return "deg"
-        power = {**CURVATURES, **TOTALS}[one.demand.key]
-    if not unit or not power:
-        return ""
-    raised = unit + {1: "", 2: "²", 3: "³"}[abs(power)]
-    return raised if power > 0 else f"1/{raised}"

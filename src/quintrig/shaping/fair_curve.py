@@ -151,7 +151,8 @@ def _plain(
     scale = float(np.trace(own) / np.trace(mass))
 
     def solved(weight: float) -> FloatArray:
-        return points - free @ np.linalg.solve(own + weight * scale * mass, free.T @ form @ points)
+        z = np.asarray(np.linalg.solve(own + weight * scale * mass, free.T @ form @ points), dtype=np.float64)
+        return points - free @ z
 
     return solved
 
@@ -162,8 +163,9 @@ def _bent(
     """Return the same for ∫κ² ds, by L-BFGS."""
     del name
     form = np.einsum("t,ti,tj->ij", weights, functions[2], functions[2])
-    own = free.T @ form @ free
-    root: FloatArray = np.linalg.inv(np.linalg.cholesky(own + 1e-9 * np.trace(own) * np.eye(len(own)))).T
+    own: FloatArray = free.T @ form @ free
+    lower: FloatArray = np.asarray(np.linalg.cholesky(own + 1e-9 * np.trace(own) * np.eye(len(own))), dtype=np.float64)
+    root: FloatArray = np.asarray(np.linalg.inv(lower), dtype=np.float64).T
     size = float(np.linalg.norm(np.ptp(points, axis=0)))
     unit = max(_bending(points, functions, weights)[0], 1e-9 / size)
     shape = (free.shape[1], points.shape[1])

@@ -12,7 +12,8 @@ from typing import Any
 
 import numpy as np
 
-from quintrig.shaping.problem import MARGIN, Condition, Problem
+from quintrig.shaping.conditions import MARGIN, Condition
+from quintrig.shaping.problem import Problem
 from quintrig.shaping.unknowns import State
 from quintrig.support.arrays import FloatArray
 

@@ -158,7 +158,9 @@ def _patch(
     for count in range(6, _MOST_POINTS + 1, 2):
         f = Bernstein(count - 1).derivatives(s, 0)[0]
         ends = wanted[[0, -1]]
-        inner: FloatArray = np.linalg.lstsq(f[:, 1:-1], wanted - f[:, [0, -1]] @ ends, rcond=None)[0]
+        inner: FloatArray = np.asarray(
+            np.linalg.lstsq(f[:, 1:-1], wanted - f[:, [0, -1]] @ ends, rcond=None)[0], dtype=np.float64
+        )
         tried: FloatArray = np.vstack([ends[:1], inner, ends[1:]])
         far = _off(f @ tried, second)
         if far < off:
