@@ -124,9 +124,9 @@ def design(
 
 def _searched(problem: Problem, log: Log, starts: int, seed: int) -> tuple[Found, int, bool]:
     """Return the best of several starts, how many were done, and whether it was interrupted."""
-    count = problem.basis.shape[1]
+    count = int(problem.basis.shape[1])
     search = Search(problem)
-    given: FloatArray = np.zeros(count)
+    given = np.zeros(count, dtype=np.float64)
     best = search.judged(given, problem.conditions)
     kept, first = log.kept(count)
     if kept is not None:

@@ -1,6 +1,6 @@
 """Conditions at places of a surface, with exact gradients: points it is near or passes, tangent planes, rulings."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -13,6 +13,7 @@ from quintrig.shaping.forms import Forms, forms, pulled_back
 from quintrig.shaping.unknowns import State
 from quintrig.support.arrays import FloatArray
 
+_RULINGS = 513  # at which normals are looked at
 _MOST_TARGETS = 400  # points of a target that the search sees from the start
 
 
@@ -176,21 +177,23 @@ class TangentPlane:
 
 @dataclass(eq=False)
 class Twist:
-    """Normals turn by no more than ``angle`` degrees along any ruling, u = const: seen at ``count`` rulings."""
+    """Normals turn by at most ``angle`` degrees along any ruling, u = const: seen at the rulings ``seen`` of 513."""
 
     name: str
     angle: float
-    count: int = 33
+    seen: NDArray[np.int64] = field(default_factory=lambda: np.arange(0, _RULINGS, 16))
     equal: bool = False
 
-    def _ends(self, state: State, count: int) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
-        u = np.linspace(0.0, 1.0, count)
-        first, second = (state.partials(u, np.full(count, end), 1) for end in (0.0, 1.0))
+    def _ends(
+        self, state: State, which: NDArray[np.int64] | slice
+    ) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+        u: FloatArray = np.linspace(0.0, 1.0, _RULINGS)[which]
+        first, second = (state.partials(u, np.full_like(u, end), 1) for end in (0.0, 1.0))
         return u, first, second, second[0] - first[0]
 
     def values(self, state: State) -> tuple[FloatArray, FloatArray]:
         """Return sin(angle) ∓ |R| det(A', B', R) / (|A' x R| |B' x R|), R = B - A, and the gradients."""
-        u, first, second, r = self._ends(state, self.count)
+        u, first, second, r = self._ends(state, self.seen)
         a, b = first[1], second[1]
         na, nb = (_cross(one, r) for one in (a, b))
         length = _norm(r)
@@ -214,21 +217,27 @@ class Twist:
         most = np.sin(np.radians(self.angle))
         return np.concatenate([most - sine, most + sine]) - MARGIN, np.concatenate([-rows, rows])
 
+    def _turned(self, state: State) -> FloatArray:
+        """Return by how much normals turn along each ruling, degrees."""
+        _, first, second, r = self._ends(state, slice(None))
+        na, nb = _cross(first[1], r), _cross(second[1], r)
+        return np.degrees(np.arctan2(_norm(_cross(na, nb)), np.abs(_dot(na, nb))))
+
     def worst(self, state: State) -> Worst:
         """Return the largest angle that normals turn by along a ruling, degrees."""
-        u, first, second, r = self._ends(state, 513)
-        na, nb = _cross(first[1], r), _cross(second[1], r)
-        turned = np.degrees(np.arctan2(_norm(_cross(na, nb)), np.abs(_dot(na, nb))))
+        turned = self._turned(state)
         index = int(turned.argmax())
         slack = float(np.sin(np.radians(self.angle)) - np.sin(np.radians(turned[index])))
-        return Worst(slack, float(turned[index]), float(u[index]), None)
+        return Worst(slack, float(turned[index]), index / (_RULINGS - 1), None)
 
     def exchange(self, state: State) -> bool:
-        """See more rulings where that is not met between them."""
-        if self.worst(state).slack < 0.0 and self.count < 257:
-            self.count = 2 * self.count - 1
-            return True
-        return False
+        """Add the worst ruling of each part of the strip where normals turn by more."""
+        turned = self._turned(state)
+        parts = np.array_split(np.arange(_RULINGS), 32)
+        worst = np.array([part[int(turned[part].argmax())] for part in parts])
+        fresh = np.setdiff1d(worst[turned[worst] > self.angle * (1.0 - MARGIN)], self.seen)
+        self.seen = np.concatenate([self.seen, fresh])
+        return bool(len(fresh))
 
 
 def _dot(a: FloatArray, b: FloatArray) -> FloatArray:
