@@ -79,10 +79,16 @@ if TYPE_CHECKING:
     from quintrig.scan.deviation import Deviation as Deviation
     from quintrig.scan.deviation import deviation as deviation
     from quintrig.scan.scan import Scan as Scan
+    from quintrig.shaping.design import Design as Design
+    from quintrig.shaping.design import design as design
     from quintrig.shaping.fair import Fairing as Fairing
     from quintrig.shaping.fair import fair as fair
+    from quintrig.shaping.fair_curve import CurveFairing as CurveFairing
+    from quintrig.shaping.fair_curve import fair_curve as fair_curve
     from quintrig.shaping.fit import fit as fit
     from quintrig.shaping.fitting.result import Fit as Fit
+    from quintrig.shaping.strip import Strip as Strip
+    from quintrig.shaping.strip import strip as strip
     from quintrig.support.errors import ModelError as ModelError
 
 __version__ = "0.1.0"
@@ -145,7 +151,10 @@ _HOME = {
     "figure.plot": ("plot",),
     "figure.style": ("Style",),
     "geometry.domain": ("grid",),
+    "shaping.design": ("Design", "design"),
     "shaping.fair": ("Fairing", "fair"),
+    "shaping.fair_curve": ("CurveFairing", "fair_curve"),
+    "shaping.strip": ("Strip", "strip"),
     "geometry.surface": ("Surface",),
 }
 

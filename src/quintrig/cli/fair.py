@@ -12,6 +12,7 @@ from quintrig.cli.options import Force, WhichPatch
 if TYPE_CHECKING:
     from quintrig.model.model import Model
     from quintrig.shaping.fair import Fairing
+    from quintrig.shaping.fair_curve import CurveFairing
 
 _EPILOG = session.examples(
     ("quintrig fair lid.toml -o fairer.toml", "moves the net, all four sides held"),
@@ -60,38 +61,52 @@ def fair(
     as_json: Annotated[bool, typer.Option("--json", help="Print what was reached as JSON.")] = False,
     force: Force = False,
 ) -> None:
-    """Make a patch fairer: the least energy near it, with what is held held.
+    """Make a patch, or a curve, fairer: the least energy near it, with what is held held.
 
     thin-plate and variation are integrals of squared second and third derivatives over (u, v), bending is that of
     κ1² + κ2² over the area. By default seams with neighbours are held to the order they have; where the net varies
     alone, all four sides stay. The energy that is asked for never rises.
+
+    Of a curve --hold takes parameters, such as 0:G2 or 0.5; both ends are held to G1 by default, and bending is ∫κ² ds.
     """
     if output is not None and output.suffix.lower() not in (".toml", ".json"):
         raise ValueError(f"-o: expected a name ending in .toml or .json, found {str(output)!r}")
-    loaded = session.load(model)
+    loaded = session.load_any(model)
     from quintrig.shaping.fair import fair as make_fair
     from quintrig.support.files import refuse_loss
 
     if output is not None:
         refuse_loss(output, model, force=force)
-    done = make_fair(loaded, patch=patch, energy=energy, vary=vary, hold=hold or None, within=within)
+    if loaded.curves:
+        if vary != "net" or picture is not None:
+            raise ValueError(f"{model}: a curve is made fairer by its net, and has no picture here; leave both out")
+        from quintrig.shaping.fair_curve import fair_curve
+
+        done = fair_curve(loaded, curve=patch, energy=energy, hold=hold or None, within=within)
+    else:
+        done = make_fair(loaded, patch=patch, energy=energy, vary=vary, hold=hold or None, within=within)
     if as_json:
         session.emit(json.dumps(done.to_dict(), ensure_ascii=False))
     else:
         _tell(done)
-    if output is not None:
+    if output is not None and loaded.curves:
+        from quintrig.model.save import save
+
+        save(done.model, output)
+        session.wrote(output)
+    elif output is not None:
         from quintrig.exchange.export import export
 
         session.told(export(done.model, output))
-    if picture is not None:
+    if picture is not None and not loaded.curves:
         _draw(loaded, done, picture)
 
 
-def _tell(done: "Fairing") -> None:
+def _tell(done: "Fairing | CurveFairing") -> None:
     unit = done.model.unit
     for name in ("thin_plate", "bending", "variation"):
         mark = " (asked for)" if name == done.energy else ""
-        power = f" {unit}²" if unit and name != "bending" else ""
+        power = f" {unit}²" if unit and name != "bending" else f" 1/{unit}" if unit and done.model.curves else ""
         session.emit(f"{name.replace('_', '-')}: {done.before[name]:.6g} to {done.after[name]:.6g}{power}{mark}\n")
     session.emit(f"largest deviation: {done.deviation:.4g}{' ' + unit if unit else ''}\n")
     if done.held:
@@ -100,11 +115,12 @@ def _tell(done: "Fairing") -> None:
         session.remark(note)
 
 
-def _draw(before: "Model", done: "Fairing", path: Path) -> None:
+def _draw(before: "Model", done: "Fairing | CurveFairing", path: Path) -> None:
     """Draw the patch before and after, on one scale."""
     from quintrig.figure import Scene, comparison, save
 
-    surfaces = [one.patch(done.patch).surface for one in (before, done.model)]
+    name = getattr(done, "patch", None)
+    surfaces = [one.patch(name).surface for one in (before, done.model)]
     figure = comparison(
         surfaces, ["before", "after"], "curvedness", Scene(), unit=done.model.unit, columns=2, width=10.0
     )

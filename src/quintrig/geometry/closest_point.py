@@ -18,7 +18,11 @@ def projected(surface: Surface, points: FloatArray, density: int = 49) -> FloatA
     t = np.linspace(0.0, 1.0, density)
     cloud = surface(t[:, None], t[None, :]).reshape(-1, 3)
     nearest = np.array([int(((cloud - point) ** 2).sum(axis=1).argmin()) for point in points], dtype=np.int64)
-    at: FloatArray = np.stack([t[nearest // density], t[nearest % density]], axis=1)
+    return refined(surface, points, np.stack([t[nearest // density], t[nearest % density]], axis=1))
+
+
+def refined(surface: Surface, points: FloatArray, at: FloatArray) -> FloatArray:
+    """Return the same from places ``at`` (n, 2) that are near already."""
     for _ in range(_STEPS):
         p = surface.partials(at[:, 0], at[:, 1], 1)
         gap, along = points - p[0, 0], np.stack([p[1, 0], p[0, 1]], axis=-1)

@@ -16,7 +16,7 @@ from quintrig.model.model import Model
 from quintrig.model.patch import Patch
 from quintrig.shaping.derivatives import Affine, affine
 from quintrig.shaping.energies import ENERGIES, Energy, Quadratic, energy, known, measured, quadratic
-from quintrig.shaping.holds import Hold, free_directions, hold, usual
+from quintrig.shaping.holds import Hold, free_directions, held_at, hold, usual
 from quintrig.support.arrays import FloatArray
 from quintrig.support.errors import ModelError
 
@@ -230,29 +230,17 @@ def _path(
 
 def _free_shape(patch: Patch, holds: Sequence[Hold]) -> list[str]:
     """Return the shape parameters that leave the held sides and points where they are."""
-    before = [_at(patch, one) for one in holds]
+    before = [held_at(patch.surface, one) for one in holds]
     free: list[str] = []
     for name, known_range in patch.definition.ranges.items():
         value = patch.definition.parameters[name]
         low, high = known_range.low, known_range.high
         other = low + 0.375 * (high - low) if value > 0.5 * (low + high) else low + 0.625 * (high - low)
         moved = patch.with_parameters({name: other})
-        shift = [np.abs(_at(moved, one) - old).max() for one, old in zip(holds, before, strict=True)]
+        shift = [np.abs(held_at(moved.surface, one) - old).max() for one, old in zip(holds, before, strict=True)]
         if all(step <= _SAME * patch.surface.size for step in shift):
             free.append(name)
     return free
-
-
-def _at(patch: Patch, one: Hold) -> FloatArray:
-    """Return what is held, at nine points of a side: points and derivatives."""
-    t = np.linspace(0.0, 1.0, 9)
-    if isinstance(one.place, str):
-        end = float(one.place[1])
-        u, v = (end, t) if one.place[0] == "u" else (t, end)
-    else:
-        u, v = one.place
-    partials = patch.surface.partials(u, v, one.order)
-    return np.stack([partials[a, b] for a in range(one.order + 1) for b in range(one.order + 1 - a)])
 
 
 def _by_shape(start: Patch, name: str, free: Sequence[str], near: Callable[[Patch], bool]) -> Patch:

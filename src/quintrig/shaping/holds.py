@@ -4,7 +4,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
+from quintrig.geometry.surface import Surface
 from quintrig.model.model import Model
 from quintrig.multipatch.boundary import SIDES
 from quintrig.shaping.derivatives import Affine
@@ -65,6 +67,33 @@ def usual(model: Model, patch: str, *, edges: bool) -> tuple[Hold, ...]:
                 orders[end.side] = max(orders.get(end.side, 0), ORDERS.index(join.order))
     corners = () if edges else tuple(Hold((u, v), 0) for u in (0.0, 1.0) for v in (0.0, 1.0))
     return (*(Hold(side, order) for side, order in orders.items()), *corners)
+
+
+def held_at(surface: Surface, one: Hold) -> FloatArray:
+    """Return what is held, at nine points of a side or at the point: points and derivatives, (rows, 3) each."""
+    t = np.linspace(0.0, 1.0, 9)
+    if isinstance(one.place, str):
+        end = float(one.place[1])
+        u, v = (end, t) if one.place[0] == "u" else (t, end)
+    else:
+        u, v = one.place
+    partials = surface.partials(u, v, one.order)
+    return np.stack([partials[a, b] for a in range(one.order + 1) for b in range(one.order + 1 - a)])
+
+
+def kept_directions(of: Affine, holds: Sequence[Hold], chosen: NDArray[np.int64]) -> FloatArray:
+    """Return a basis (chosen, q) of the changes of some free coordinates that leave what is held, single ones first."""
+    if not holds:
+        return np.eye(len(chosen))
+    rows = np.concatenate([one.rows(of) for one in holds])[:, chosen]
+    rows = rows / (np.abs(rows).max() or 1.0)
+    single = np.abs(rows).max(axis=0, initial=0.0) <= 1e-10
+    _, sizes, vectors = np.linalg.svd(rows[:, ~single])
+    others = vectors[int((sizes > 1e-10).sum()) :].T
+    result: FloatArray = np.zeros((len(chosen), int(single.sum()) + others.shape[1]))
+    result[np.flatnonzero(single), np.arange(int(single.sum()))] = 1.0
+    result[~single, int(single.sum()) :] = others
+    return result
 
 
 def free_directions(of: Affine, holds: Sequence[Hold]) -> FloatArray:
