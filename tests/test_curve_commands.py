@@ -197,3 +197,18 @@ def test_curvature_runs_over_arc_length_across_joins(tmp_path):
     assert "arc length" in axes.get_xlabel()
     single = quintrig.plot(Model.from_dict(PLANE), "curvature").axes[0]
     assert single.get_xlim()[1] == 1.0
+
+
+def test_table_of_all_curves_of_a_model(tmp_path):
+    path = written(tmp_path, PIECES)
+    data = run("table", path, "--grid", "3", "-q", "x,κ", "-f", "csv").out.splitlines()
+    rows = [line for line in data if not line.startswith("#")]
+    assert rows[0] == "patch,t,x,curvature"
+    assert [row.split(",")[:2] for row in rows[1:]] == [
+        [a, t] for a in ("first", "second") for t in ("0.0", "0.5", "1.0")
+    ]
+    assert float(rows[6].split(",")[2]) == 12.0
+    for words, told in ((("-q", "gaussian"), "found 'gaussian'"), (("--points", "x.csv"), "--at T")):
+        wrong = run("table", path, *words)
+        assert wrong.code == 2
+        assert told in wrong.err
