@@ -212,3 +212,11 @@ def test_table_of_all_curves_of_a_model(tmp_path):
         wrong = run("table", path, *words)
         assert wrong.code == 2
         assert told in wrong.err
+
+
+def test_points_for_curves_that_coincide_are_told_with_their_file(tmp_path):
+    file = tmp_path / "points.csv"
+    file.write_text("0,0\n1,2\n1,2\n")
+    wrong = run("new", "curve", "--through", file, "-o", tmp_path / "c.toml")
+    assert wrong.code == 2
+    assert f"{file}: points[2]" in wrong.err
