@@ -45,8 +45,9 @@ def test_spaces_hold_lines_and_circles_as_known():
 def test_the_quintics_range_and_end_derivatives():
     found = check_basis(next(one for one in LIBRARY if one.name == "trigonometric").basis())
     for low, high in found.non_negative_range.values():
-        assert low == pytest.approx(-4.0, abs=0.01)
-        assert high == pytest.approx(1.0, abs=0.01)
+        assert low == pytest.approx(-4.0, abs=1e-6)
+        assert high == pytest.approx(1.0, abs=1e-6)
+    assert found.rational_degree == 10  # 8 where both parameters are 0
     at = found.end_derivatives["0"]
     assert at[1] == pytest.approx([-2 * _PI, 2 * _PI, 0, 0, 0, 0], abs=1e-10)
     assert at[2] == pytest.approx([3 * _PI**2, -6 * _PI**2, 3 * _PI**2, 0, 0, 0], abs=1e-9)
@@ -64,6 +65,16 @@ def test_a_misprint_is_told_with_place_and_size():
     assert below.findings["partition_of_unity"].holds
     assert below.findings["non_negative"].worst == pytest.approx(-0.125, abs=1e-4)
     assert below.findings["non_negative"].at["lam"] == 2.0
+
+
+def test_negative_beside_an_end_by_less_than_samples_show():
+    """(1 - s)⁴ (1 - αs) is -(α - 1)⁵ and smaller beside t = 1, for an α above 1."""
+    quintic = next(one for one in LIBRARY if one.name == "quintic").basis()
+    wider = (Parameter("alpha", -4.0, 1.001), Parameter("zeta", -4.0, 1.0))
+    found = check_basis(Basis("wider", quintic.functions, wider))
+    assert not found.findings["non_negative"].holds
+    assert found.findings["non_negative"].at["alpha"] == pytest.approx(1.001)
+    assert found.findings["non_negative"].at["t"] == 1.0
 
 
 def test_command(tmp_path):

@@ -197,3 +197,26 @@ def test_curvature_runs_over_arc_length_across_joins(tmp_path):
     assert "arc length" in axes.get_xlabel()
     single = quintrig.plot(Model.from_dict(PLANE), "curvature").axes[0]
     assert single.get_xlim()[1] == 1.0
+
+
+def test_table_of_all_curves_of_a_model(tmp_path):
+    path = written(tmp_path, PIECES)
+    data = run("table", path, "--grid", "3", "-q", "x,κ", "-f", "csv").out.splitlines()
+    rows = [line for line in data if not line.startswith("#")]
+    assert rows[0] == "patch,t,x,curvature"
+    assert [row.split(",")[:2] for row in rows[1:]] == [
+        [a, t] for a in ("first", "second") for t in ("0.0", "0.5", "1.0")
+    ]
+    assert float(rows[6].split(",")[2]) == 12.0
+    for words, told in ((("-q", "gaussian"), "found 'gaussian'"), (("--points", "x.csv"), "--at T")):
+        wrong = run("table", path, *words)
+        assert wrong.code == 2
+        assert told in wrong.err
+
+
+def test_points_for_curves_that_coincide_are_told_with_their_file(tmp_path):
+    file = tmp_path / "points.csv"
+    file.write_text("0,0\n1,2\n1,2\n")
+    wrong = run("new", "curve", "--through", file, "-o", tmp_path / "c.toml")
+    assert wrong.code == 2
+    assert f"{file}: points[2]" in wrong.err

@@ -58,6 +58,19 @@ def test_parameter_at_inverts_length(curve: Curve) -> None:
         curve.parameter_at(1.01 * total)
 
 
+def test_bending_energy_with_a_still_end_takes_few_points(monkeypatch) -> None:
+    """∫ κ² ds of a curve that stands still is found infinite soon, in bases from formulas too, and not by chance."""
+    asked: list[int] = []
+    curvature = Curve.curvature
+    monkeypatch.setattr(Curve, "curvature", lambda self, t: asked.append(np.size(t)) or curvature(self, t))
+    for shape in ([-2, -2], [1, -2], [-2, 1]):
+        points = [[0, 33.659], [33.333, 28.936], [66.667, -19.995], [100, -38.357]]
+        assert Curve(points, basis="cubic", shape=shape).bending_energy() == np.inf
+    assert Curve([[0, 0], [0, 0], [1, 0], [1, 1]], basis="bernstein").bending_energy() == np.inf  # u²(3, u): κ ~ 1/u
+    assert sum(asked) < 4 * 16 * 2 * 400
+    assert Curve([[0, 0], [1, 1], [2, 2]], basis="bernstein").bending_energy() == 0.0
+
+
 def test_parabola_in_closed_form() -> None:
     """(x, x²): curvature extreme 2 at the vertex, ∫ κ² ds, area under, closest point."""
     assert PARABOLA.curvature_extremes() == pytest.approx([0.5], abs=1e-9)

@@ -12,12 +12,14 @@ from quintrig.analysis.basis_samples import TIMES, Finding, Samples
 from quintrig.analysis.basis_sign import HOW, certified
 from quintrig.analysis.basis_space import circles, condition, independence, spans, total_positivity
 from quintrig.basis.formula_checks import corners
-from quintrig.basis.formulas import Basis
+from quintrig.basis.formulas import MOST_PARAMETERS, Basis
 from quintrig.basis.rational import NotRationalError
 from quintrig.support.arrays import FloatArray
 
 _TIGHT = 1e-12
+_BESIDE = "from the first derivative at that end that is not 0"
 _LONGEST = 300  # letters of an end derivative that is told as a formula
+_IN_GENERAL = (np.arange(1, MOST_PARAMETERS + 1) * 0.618034) % 0.8 + 0.1  # shares of ranges, none special
 _FARTHEST = 16.0  # widths of the range in which a wider one is sought
 
 PROPERTIES = {
@@ -90,7 +92,10 @@ def check_basis(basis: Basis, claims: Sequence[str] = ()) -> BasisReport:
     sums = samples.worst(np.abs(values.sum(axis=-1) - 1.0), _TIGHT)
     sign = samples.worst(-values.min(axis=-1), _TIGHT)
     line = spans(samples, TIMES)
-    if sign.holds and certified(basis):
+    below = np.argwhere(samples.below(samples.values))
+    if sign.holds and len(below):
+        sign = replace(sign, holds=False, at={"t": float(below[0][1])} | samples.named(int(below[0][0])), how=_BESIDE)
+    elif sign.holds and certified(basis):
         sign = replace(sign, how=HOW)
     formulas = end_formulas(basis)
     findings = {
@@ -160,7 +165,7 @@ def _range(samples: Samples, index: int, others: bool) -> tuple[float | None, fl
         at = rest.copy()
         at[:, index] = value
         least = samples.derivatives(at, TIMES, 0).min()
-        return bool(np.isfinite(least) and least >= -_TIGHT)
+        return bool(np.isfinite(least) and least >= -_TIGHT and not samples.below(at).any())
 
     start = float(one.start or 0.0)
     if not fine(start):
@@ -178,8 +183,10 @@ def _last(fine: Any, inside: float, outside: float) -> float | None:
 
 
 def _degree(basis: Basis) -> int | None:
+    """Return the degree for parameters in general: at some, such as the quintic's (0, 0), it is lower."""
+    values = [one.low + share * (one.high - one.low) for one, share in zip(basis.parameters, _IN_GENERAL, strict=False)]
     try:
-        family = basis.family()
+        family = basis.family(values)
         family.rational()
         return family.rational_degree()
     except NotRationalError:

@@ -13,6 +13,8 @@ from quintrig.support.arrays import FloatArray
 TIMES: FloatArray = 0.5 - 0.5 * np.cos(np.pi * np.linspace(0.0, 1.0, 201))
 """Parameters t, denser at the ends; symmetric about 1/2."""
 
+_HIGHEST = 16  # order of a derivative at the ends
+_NOUGHT = 1e-9  # of the functions' largest Taylor coefficient there
 _BETWEEN = 120  # random values of the parameters, beside the corners of the range
 
 
@@ -54,6 +56,19 @@ class Samples:
         factorials = np.cumprod(np.maximum(np.arange(order + 1.0), 1.0))
         shape = (order + 1, len(values), len(t), self.basis.size)
         return np.broadcast_to(found * factorials[:, None, None, None], shape)
+
+    def below(self, values: FloatArray) -> FloatArray:
+        """Return where functions leave 0 downwards at t = 0 or 1, (len(values), 2), by too little for samples to see.
+
+        The first derivative that is not 0 tells, at t = 1 with the sign of its order.
+        """
+        order = min(2 * self.basis.size, _HIGHEST)
+        terms = self.derivatives(values, np.array([0.0, 1.0]), order)
+        terms = terms / np.cumprod(np.maximum(np.arange(order + 1.0), 1.0))[:, None, None, None]
+        terms = terms * np.array([np.ones(order + 1), (-1.0) ** np.arange(order + 1)]).T[:, None, :, None]
+        there = np.abs(terms) > _NOUGHT * np.abs(terms).max(axis=(0, 3), keepdims=True)[0]
+        first = np.take_along_axis(terms, there.argmax(axis=0)[None], axis=0)[0]
+        return (there.any(axis=0) & (first < 0.0)).any(axis=-1)
 
     def worst(self, amount: FloatArray, limit: float, t: FloatArray = TIMES) -> Finding:
         """Return the largest of amounts (n, times), or (n,) where t has no part, against a limit."""

@@ -110,7 +110,7 @@ def _print(report: "BasisReport") -> None:
     for key, found in report.findings.items():
         at = ", ".join(f"{name} = {value:.4g}" for name, value in found.at.items())
         word = "yes" if found.holds else "NO "
-        session.emit(f"  {word} {PROPERTIES[key]} (worst {found.worst:.3g} at {at}; {found.how})")
+        session.emit(f"  {word} {PROPERTIES[key]} (worst {found.worst:.3g}{at and f' at {at}'}; {found.how})")
     degree = "none" if report.rational_degree is None else f"degree {report.rational_degree}"
     session.emit(f"  exact rational form: {degree}; condition number {report.condition:.3g}")
     for end in report.end_derivatives:

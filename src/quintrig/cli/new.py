@@ -68,4 +68,8 @@ def _through(file: Path, closed: bool) -> str:
     rows = read_net(file)
     if len({len(row) for row in rows}) != 1 or len(rows[0]) not in (2, 3):
         raise ValueError(f"{file}: expected rows of x,y or of x,y,z, all alike")
-    return to_toml(Model.of_curves(interpolate(rows, closed), "Curve through points").to_dict())
+    try:
+        curves = interpolate(rows, closed)
+    except ValueError as error:
+        raise ValueError(f"{file}: {error}") from None
+    return to_toml(Model.of_curves(curves, "Curve through points").to_dict())

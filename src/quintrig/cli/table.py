@@ -1,6 +1,7 @@
 """``quintrig table``: quantities at chosen points."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
@@ -89,7 +90,10 @@ def table(
         return
     loaded = session.load_any(model, face)
     if not loaded.patches or patch in [one.name for one in loaded.curves]:
-        _deliver(_of_curve(loaded, patch, at, grid), chosen, output, digits, siunitx, model)
+        if points is not None:
+            raise ValueError(f"--points: expected a surface, found curves; give --at T, or --grid N (got {points})")
+        result = _of_curve(loaded, patch, at, grid)
+        _deliver(result if quantities is None else _only(result, quantities), chosen, output, digits, siunitx, model)
         return
     u, v = _points(at, grid, points)
     count = np.broadcast(u, v).size
@@ -133,13 +137,14 @@ def _deliver(
 
 
 def _of_curve(model: "Model", name: str | None, at: Sequence[str] | None, grid: str | None) -> "Table":
-    """Return the table of one curve of a model, at parameters or at so many evenly spaced ones."""
+    """Return the table of the curves of a model, or of one, at parameters or at so many evenly spaced ones."""
     import numpy as np
 
     from quintrig.analysis.curve_table import tabulate_curve
+    from quintrig.analysis.table import stacked
     from quintrig.support.numerals import whole
 
-    one = model.curve(name)
+    chosen = model.curves if name is None else (model.curve(name),)
     if at:
         t = np.array([session.numbers(text, 1, "--at")[0] for text in at])
     else:
@@ -150,7 +155,20 @@ def _of_curve(model: "Model", name: str | None, at: Sequence[str] | None, grid: 
         if not 2 <= count <= _MOST:
             raise ValueError(f"--grid: expected 2 to {_MOST:,} points of a curve, got {grid}")
         t = np.linspace(0.0, 1.0, count)
-    return tabulate_curve(one.curve, t, unit=model.unit, title=one.name)
+    parts = [(one.name, tabulate_curve(one.curve, t, unit=model.unit, title=one.name)) for one in chosen]
+    return parts[0][1] if len(parts) == 1 else stacked(parts, model.name)
+
+
+def _only(table: "Table", quantities: str) -> "Table":
+    """Return what leads the rows of a table of curves, and the columns asked for by key or symbol."""
+    leading, rest = table.columns[: table.lead], table.columns[table.lead :]
+    known = {name: one for one in rest for name in (one.key, one.symbol)}
+    words = [word.strip() for word in quantities.split(",")]
+    unknown = next((word for word in words if word not in known), None)
+    if unknown is not None:
+        keys = ", ".join(one.key for one in rest)
+        raise ValueError(f"--quantities: expected some of {keys} for curves, found {unknown!r}")
+    return replace(table, columns=(*leading, *dict.fromkeys(known[word] for word in words)))
 
 
 def _format(form: str | None, output: Path | None) -> str:
