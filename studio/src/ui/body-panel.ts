@@ -62,7 +62,7 @@ export class BodyPanel {
       const swatch = h("b", { class: "order" }, seam.order);
       swatch.style.color = lineColour(`seam ${seam.order}`, dark);
       return h("li", {}, swatch, h("span", {}, `${end(seam.first)} – ${end(seam.second)}`),
-        h("small", {}, `gap ${short(seam.gap, 3)} ${unit}`.trim() + ` · angle ${short(seam.angle, 3)}° · jump ${short(seam.curvature, 3)}`));
+        h("small", {}, `gap ${short(seam.gap, 3)}${unit && ` ${unit}`} · angle ${short(seam.angle, 3)}° · jump ${short(seam.curvature, 3)}`));
     }));
   }
 }
