@@ -1,4 +1,4 @@
-"""The seams that the studio measures in the browser against Python's ``Model.joins``: in Node, on the bundle that ships."""
+"""The seams that the studio measures in the browser against Python's ``Model.joins``: in Node, on the bundle."""
 
 import json
 import shutil
