@@ -196,7 +196,7 @@ export class Inspector {
         flag("zeroK", math("K", " = 0"), rule("zeroK"), "Parabolic lines"),
         flag("zeroH", math("H", " = 0"), rule("zeroH")),
         flag("minRadius", "Smallest radius"),
-        flag("seams", "Seams", rule("seam open", "seam G0", "seam G1", "seam G2", "seam G3"), "Red: open; orange: G0; yellow: G1; green: G2; blue: G3"),
+        flag("seams", "Seams", undefined, "Red: open; orange: G0; yellow: G1; green: G2; blue: G3"),
         flag("wireframe", "Wireframe")),
       h("div", { class: "row" }, h("span", { class: "caption" }, "Combs"), combs.element), scale.element,
     ];
