@@ -42,9 +42,9 @@ export class BodyPanel {
     this.element.append(
       h("div", { class: "row", role: "group", "aria-label": "Patches of the model" },
         button("Add", "Add a new patch of this construction", () => more(starterOf(activePatch(store.state).kind).patches[0]!)),
-        button("Duplicate", "Add a copy of this patch", () => more(activePatch(store.state))),
-        ...(["x", "y", "z"] as const).map((name, axis) => button(`Mirror ${name}`, `Add the mirror image of this patch across ${name} = 0`, () => mirror(axis as 0 | 1 | 2))),
-        button("Delete", "Take this patch out of the model, with its joins", () => put(removed(store.state.model, store.state.patch), store.state.patch))),
+        button("Duplicate", "Duplicate this patch", () => more(activePatch(store.state))),
+        ...(["x", "y", "z"] as const).map((name, axis) => button(`Mirror ${name}`, `Mirror ${name}: add the image of this patch across ${name} = 0`, () => mirror(axis as 0 | 1 | 2))),
+        button("Delete", "Delete this patch, and its joins", () => put(removed(store.state.model, store.state.patch), store.state.patch))),
       this.row, this.together.element, this.hint, this.seams);
   }
 
