@@ -4,6 +4,7 @@ import { handles, handlesOf, polygonOf, polylines } from "../edit/handles";
 import { curveOf, isCurve } from "../numerics/curve";
 import { regression } from "../numerics/envelope";
 import { build, type Patch } from "../numerics/model";
+import { seamsOf, type Seam } from "../numerics/seams";
 import { QUANTITY } from "../numerics/quantity";
 import { analyse } from "../numerics/sample";
 import type { Surface } from "../numerics/surface";
@@ -13,7 +14,7 @@ import { toothOf, toothOfCurves } from "../view/overlays";
 import { sharpest, type Sharpest } from "../view/radius";
 import type { Cell, Piece } from "../view/cell";
 import type { Stage } from "../view/stage";
-import type { Shown } from "./cells";
+import { mainCell, type Shown } from "./cells";
 import type { Settings } from "./settings";
 import type { State } from "./state";
 
@@ -27,6 +28,8 @@ export class Painter {
   /** How long the last evaluation took, ms, and at how many points a side. */
   cost = 0;
   side = 0;
+  /** The seams of the model, as they are now. */
+  seams: readonly Seam[] = [];
   private coarse = 75;
   /** Points a side that the card keeps up with while something moves. */
   private drawable = Infinity;
@@ -66,6 +69,24 @@ export class Painter {
     const curves = this.stage.cells.flatMap((cell) => cell.pieces.map((piece) => piece.curve)).filter((curve) => curve.length);
     this.tooth = state.settings.comb && curves.length ? toothOfCurves(curves, state.settings.combScale, frame) : 0;
     shown.forEach(({ editable }, i) => this.overlay(this.stage.cells[i]!, state, frame, editable, tooth));
+    this.sew(state, frame);
+  }
+
+  /** Measure the seams whose patches changed, and draw them. */
+  private sew(state: State, frame: Frame): void {
+    const main = mainCell(state, this.stage.cells.length), { unit } = state.model;
+    this.stage.cells.forEach(({ pieces }, k) => {
+      const found = state.settings.seams && pieces.length > 1 ? seamsOf(pieces.map((piece) => piece.surface), unit) : [];
+      if (k === main) this.seams = found;
+      pieces.forEach((piece, i) => {
+        const own = found.filter((seam) => seam.first.patch === i);
+        if (!own.length && !piece.seams.length) return;
+        if (piece.seams.length === own.length && piece.frame === piece.seamsFrame && own.every((seam, j) => seam.points === piece.seams[j]!.points && seam.order === piece.seams[j]!.order)) return;
+        piece.seams = own;
+        piece.seamsFrame = frame;
+        piece.overlays.seams(own, frame);
+      });
+    });
   }
 
   /** The sharpest point of each cell. */

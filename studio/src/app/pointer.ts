@@ -4,6 +4,7 @@ import { handlesOf, moved, type Handle } from "../edit/handles";
 import { follow, onGrid, wayOf, type Way } from "../edit/way";
 import { toModel, toScene, type Frame } from "../view/frame";
 import { gizmo, partAt, pixelAt } from "../view/gizmo";
+import { clickSide } from "../ui/body-panel";
 import { alongLine, onBall } from "../view/rays";
 import { dragged, sectionGrips, sectionNormal } from "../view/section";
 import type { Ray, Stage } from "../view/stage";
@@ -134,7 +135,8 @@ export function listen(canvas: HTMLCanvasElement, around: Surroundings): void {
     store.settle();
     if (event.type === "pointercancel" || done.far > 4 || done.kind !== "turn" || event.button !== 0) return;
     const place = placeAt(done.x, done.y);
-    if (place) {
+    if (place && store.state.joining) clickSide(store, `${store.state.model.patches[place.piece]!.name}:${nearestSide(place.u, place.v)}`);
+    else if (place) {
       const selected = place.piece === store.state.patch ? store.state.selected : null;
       store.set({ hover: null, patch: place.piece, selected, pins: [...store.state.pins, { patch: place.piece, u: rounded(place.u), v: rounded(place.v) }] });
     }
@@ -194,6 +196,12 @@ function offset(normal: readonly number[], point: readonly number[], step: numbe
   const dot = (p: readonly number[]) => p.reduce((sum, x, i) => sum + x * normal[i]!, 0);
   const shift = (-dot(point) - Math.round(-dot(point) / step) * step) / dot(normal);
   return point.map((x, i) => x + shift * normal[i]!);
+}
+
+/** The side of the unit square nearest to a place in it. */
+function nearestSide(u: number, v: number): string {
+  const away = { u0: u, u1: 1 - u, v0: v, v1: 1 - v };
+  return Object.entries(away).sort((a, b) => a[1] - b[1])[0]![0];
 }
 
 /** Parameters to four digits, so that what is shown is what is evaluated. */

@@ -21,6 +21,9 @@ export interface Settings {
   readonly zeroK: boolean;
   readonly zeroH: boolean;
   readonly minRadius: boolean;
+  /** Whether seams are drawn in the colours of their orders, and whether shared points move together. */
+  readonly seams: boolean;
+  readonly together: boolean;
   readonly stripes: "none" | "zebra" | "isophotes" | "reflection" | "highlight";
   readonly density: number;
   readonly lightAzimuth: number;
@@ -44,7 +47,7 @@ export interface Settings {
 
 export const DEFAULTS: Settings = {
   quantity: "gaussian", range: "robust", percentile: 2, low: -1, high: 1, contours: false,
-  net: true, curves: true, directions: false, normals: false, combs: "off", combScale: 1, comb: true, zeroK: false, zeroH: false, minRadius: false,
+  net: true, curves: true, directions: false, normals: false, combs: "off", combScale: 1, comb: true, zeroK: false, zeroH: false, minRadius: false, seams: true, together: true,
   stripes: "none", density: 24, lightAzimuth: 30, lightElevation: 60,
   section: false, sectionAzimuth: 0, sectionTilt: 0, sectionAt: 0, clip: false,
   wireframe: false, projection: "perspective", theme: "auto", snap: false, snapStep: 1, locks: [false, false, false], resolution: 150,

@@ -1,6 +1,7 @@
 /** The state of the studio and the one place that changes it. */
 
 import data from "../data.json";
+import { followed } from "../edit/follow";
 import { refusal } from "../numerics/built";
 import { drawnHere } from "../numerics/builders";
 import { isStandard } from "../numerics/chosen";
@@ -44,6 +45,8 @@ export interface State extends Work {
   readonly canRedo: boolean;
   /** True while something is dragged: coarse is good enough. */
   readonly moving: boolean;
+  /** Two sides are being chosen to be joined, or released: the order, and the first of them. */
+  readonly joining: { readonly order: string; readonly first: string | null } | null;
   readonly message: Message | null;
 }
 
@@ -110,10 +113,10 @@ export class Store {
     this.set(told(this.state));
   }
 
-  /** Replace the active patch. */
+  /** Replace the active patch, and what moves with it. */
   editPatch(patch: Patch, gesture: string | null = null): void {
-    const { model, patch: at } = this.state;
-    this.edit({ ...model, patches: model.patches.map((old, i) => (i === at ? patch : old)) }, gesture);
+    const { model, patch: at, settings } = this.state;
+    this.edit(settings.together ? followed(model, at, patch) : { ...model, patches: model.patches.with(at, patch) }, gesture);
   }
 
   /** A gesture is over: what follows is a step of its own. */
@@ -145,7 +148,7 @@ export class Store {
     this.gesture = null;
     this.set({
       model, saved, source, patch: 0, selected: null, pins: [], hover: null, kept: [], compare: "off", canUndo: false, canRedo: false,
-      moving: false, message: null, opened: ++this.openings,
+      moving: false, joining: null, message: null, opened: ++this.openings,
     });
   }
 

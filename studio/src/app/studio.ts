@@ -77,7 +77,7 @@ export class Studio {
     const settings: Settings = { ...remembered(), ...(start.quantity ? { quantity: start.quantity } : {}) };
     this.store = new Store({
       model: start.model, saved: start.model, source: start.source, patch: 0, selected: null, settings, compare: "off", kept: [], pins: [],
-      hover: null, canUndo: false, canRedo: false, moving: false, message: null, opened: 1,
+      hover: null, canUndo: false, canRedo: false, moving: false, joining: null, message: null, opened: 1,
     });
     const { store } = this;
     this.stage = new Stage(this.canvas);
@@ -135,6 +135,7 @@ export class Studio {
     const shownBefore = before.compare !== now.compare;
     if (now.hover !== before.hover && now.model === before.model && now.settings === before.settings) this.hud.refresh(now, this.frame, this.sharp);
     if (now.model !== before.model || now.settings !== before.settings || now.patch !== before.patch || shownBefore || now.kept !== before.kept || now.saved !== before.saved || now.moving !== before.moving || now.selected !== before.selected) this.plan(true);
+    if (now.joining !== before.joining) this.plan(true);
     if (now.message !== before.message || now.pins !== before.pins) this.plan();
   }
 
@@ -207,6 +208,7 @@ export class Studio {
     this.bar.refresh(state);
     this.inspector.refresh(state, this.dark);
     this.model.refresh(state);
+    this.model.body.refresh(state, this.painter.seams, this.dark);
     this.hud.labels(shown.map((one) => one.label), state);
     const surface = this.stage.cells[0]?.pieces[state.patch]?.surface ?? null;
     this.status.refresh(state, {

@@ -12,3 +12,4 @@ export { Formulas } from "./formulas";
 export { parse } from "./grammar";
 export { install, KINDS } from "./kinds";
 export { entry, family, LIBRARY } from "./library";
+export { seams } from "./seams";

@@ -165,7 +165,7 @@ export class Inspector {
       this.bindings.push((_, dark) => names.forEach((name, i) => ((box.children[i] as HTMLElement).style.background = lineColour(name, dark))));
       return box;
     };
-    const flag = (key: "comb" | "net" | "curves" | "directions" | "normals" | "zeroK" | "zeroH" | "minRadius" | "wireframe", label: Node | string, swatch?: HTMLElement, hint = "") => {
+    const flag = (key: "comb" | "net" | "curves" | "directions" | "normals" | "zeroK" | "zeroH" | "minRadius" | "seams" | "wireframe", label: Node | string, swatch?: HTMLElement, hint = "") => {
       const control = toggle(label, (on) => store.setting({ [key]: on }), swatch, hint);
       this.bindings.push((s) => {
         control.update(s[key]);
@@ -196,6 +196,7 @@ export class Inspector {
         flag("zeroK", math("K", " = 0"), rule("zeroK"), "Parabolic lines"),
         flag("zeroH", math("H", " = 0"), rule("zeroH")),
         flag("minRadius", "Smallest radius"),
+        flag("seams", "Seams", undefined, "Red: open; orange: G0; yellow: G1; green: G2; blue: G3"),
         flag("wireframe", "Wireframe")),
       h("div", { class: "row" }, h("span", { class: "caption" }, "Combs"), combs.element), scale.element,
     ];

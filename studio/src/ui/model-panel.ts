@@ -5,6 +5,7 @@ import { converted } from "../edit/convert";
 import { handlesOf, moved, replaced, type Handle } from "../edit/handles";
 import { curveOf, isCurve } from "../numerics/curve";
 import { KINDS, UNITS, valueOf, type Kind, type Patch } from "../numerics/model";
+import { BodyPanel } from "./body-panel";
 import { BasisChoice } from "./basis-choice";
 import { choice, numberField, section, segmented, toggle, type Control } from "./controls";
 import { ask } from "./dialogs";
@@ -15,6 +16,7 @@ import { ModelText } from "./model-text";
 export class ModelPanel {
   readonly element = h("aside", { class: "panel left", "aria-label": "Model" });
   private readonly patches = h("div", { class: "patches", role: "listbox", "aria-label": "Patches" });
+  readonly body: BodyPanel;
   private readonly kind: Control<string>;
   private readonly unit: Control<string>;
   private readonly flip: Control<boolean>;
@@ -46,6 +48,7 @@ export class ModelPanel {
     this.close = toggle("End in the first point", (close) => this.closed(close), undefined, "A closed curve: the first control point counts once more, as the last");
     this.basis = new BasisChoice(store);
     this.text = new ModelText(store);
+    this.body = new BodyPanel(store);
     this.locks = ["x", "y", "z"].map((axis, i) => toggle(axis, (on) => {
       const locks = [...store.state.settings.locks] as [boolean, boolean, boolean];
       locks[i] = on;
@@ -54,7 +57,7 @@ export class ModelPanel {
     this.snap = toggle("Snap to", (snap) => store.setting({ snap }), undefined, "Round coordinates while dragging");
     this.step = numberField({ label: "", name: "Snap step", positive: true, onChange: (snapStep) => store.setting({ snapStep }) });
     this.element.append(
-      this.patches,
+      this.patches, this.body.element,
       h("div", { class: "stack" },
         h("label", { class: "row" }, h("span", { class: "caption" }, "Construction"), this.kind.element),
         this.about,

@@ -3,6 +3,7 @@
 import { Scene } from "three";
 import type { CurvePoint } from "../numerics/curve";
 import type { Patch } from "../numerics/model";
+import type { Seam } from "../numerics/seams";
 import type { Surface } from "../numerics/surface";
 import type { Frame } from "./frame";
 import { SurfaceMesh } from "./mesh";
@@ -23,6 +24,9 @@ export class Piece {
   /** What the lines over the surface, and the net, were last drawn for. */
   lines = "";
   net = "";
+  /** The seams drawn with it: those whose first side is its own. */
+  seams: readonly Seam[] = [];
+  seamsFrame: Frame | null = null;
 }
 
 /** One viewport: its pieces and its place in the canvas, in CSS pixels from the top left. */

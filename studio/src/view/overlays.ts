@@ -5,15 +5,16 @@ import { THRESHOLDS } from "../numerics/classify";
 import { directionCos, directionSin, principalDirection } from "../numerics/curvature";
 import { PLANE } from "../numerics/kernel";
 import type { Settings } from "../app/settings";
+import { ORDERS, type Order, type Seam } from "../numerics/seams";
 import type { CurvePoint } from "../numerics/curve";
 import type { Handle } from "../edit/handles";
 import { zeroContour } from "./contour";
-import { toScene, type Frame } from "./frame";
+import { toScene, UNIT_FRAME, type Frame } from "./frame";
 import { Lines, Points } from "./lines";
 import type { SurfaceMesh } from "./mesh";
 import { sectionGrips, sectionOutline, sectionPlane } from "./section";
 
-type Line = "curve" | "net" | "first" | "second" | "normals" | "teethU" | "teethV" | "combU" | "combV" | "zeroK" | "zeroH" | "section" | "plane" | "arm" | "edge";
+type Line = "curve" | "net" | "first" | "second" | "normals" | "teethU" | "teethV" | "combU" | "combV" | "zeroK" | "zeroH" | "section" | "plane" | "arm" | "edge" | `seam ${Order}`;
 
 interface Style {
   readonly width: number;
@@ -41,11 +42,16 @@ const STYLE: Readonly<Record<Line, Style>> = {
   edge: { width: 2.5, light: "#c4007a", dark: "#ff7ac8", opacity: 1 },
   plane: { width: 1.25, light: "#c2102e", dark: "#ff6b81", opacity: 0.55 },
   arm: { width: 1.75, light: "#c2102e", dark: "#ff6b81", opacity: 0.8, onTop: true },
+  "seam open": { width: 4, light: "#c2102e", dark: "#ff6b81", opacity: 1, hidden: 0.2 },
+  "seam G0": { width: 3, light: "#b85c00", dark: "#ffb057", opacity: 1, hidden: 0.2 },
+  "seam G1": { width: 3, light: "#8a7a00", dark: "#f2e05c", opacity: 1, hidden: 0.2 },
+  "seam G2": { width: 3, light: "#00785a", dark: "#58dcae", opacity: 1, hidden: 0.2 },
+  "seam G3": { width: 3, light: "#0060a8", dark: "#7cc4ff", opacity: 1, hidden: 0.2 },
   section: { width: 3, light: "#c2102e", dark: "#ff6b81", opacity: 1 },
 };
 
 const LINES = Object.keys(STYLE) as Line[];
-const FROM_SURFACE = LINES.filter((name) => name !== "net" && name !== "edge" && name !== "curve");
+const FROM_SURFACE = LINES.filter((name) => name !== "net" && name !== "edge" && name !== "curve" && !name.startsWith("seam"));
 
 /** The colours of overlay lines in a theme, for the key beside their switches. */
 export const lineColour = (line: Line, dark: boolean): string => STYLE[line][dark ? "dark" : "light"];
@@ -71,6 +77,7 @@ export class Overlays {
     this.group.add(this.points.mesh, this.grips.mesh);
     this.grips.fill([], []);
     this.lines.curve.end(); // most pieces have none
+    this.seams([], UNIT_FRAME);
   }
 
   /** All lines and points, for a picture without WebGL. */
@@ -162,6 +169,19 @@ export class Overlays {
       for (let i = 0; i + 1 < scene.length; i++) edge.join(scene[i]!, scene[i + 1]!);
     }
     edge.end();
+  }
+
+  /** Draw seams, each in the colour of its order. */
+  seams(seams: readonly Seam[], frame: Frame): void {
+    for (const order of ORDERS) {
+      const lines = this.lines[`seam ${order}`];
+      lines.begin();
+      for (const { points } of seams.filter((seam) => seam.order === order)) {
+        const scene = points.map((p) => toScene(frame, p));
+        for (let i = 0; i + 1 < scene.length; i++) lines.join(scene[i]!, scene[i + 1]!);
+      }
+      lines.end();
+    }
   }
 
   dispose(): void {
