@@ -167,6 +167,24 @@ def test_the_command_has_the_same_options(tmp_path):
     assert "--range: expected two rising numbers" in told.err
 
 
+def test_comparisons_reports_and_reproductions_take_a_style_and_write_files(tmp_path):
+    curve = tmp_path / "curve.json"
+    quintrig.save(quintrig.Model.of_curves([PLANE]), curve)
+    style = ("--style", "journal")
+    for name, words in (
+        ("compared/curvature.pdf", ("compare", curve, tmp_path / "compared", "--figures", "pdf,svg", *style)),
+        ("beside/figures/curve.pdf", ("compare", curve, tmp_path / "beside" / "c.html", "--figures", ".PDF", *style)),
+        ("told/figures/curve-1-comb.pdf", ("report", curve, tmp_path / "told", "--figures", "pdf", *style)),
+        ("thesis/figures/figure-2.1.pdf", ("reproduce", tmp_path / "thesis", "--only", "2.1", *style)),
+    ):
+        told = command(*words)
+        assert (told.code, (tmp_path / name).exists()) == (0, True), told.err
+        assert b"STIXGeneral" in (tmp_path / name).read_bytes()
+    assert not list((tmp_path / "compared").glob("*.png"))
+    assert list((tmp_path / "beside" / "tables").glob("*.tex"))
+    assert list((tmp_path / "told" / "tables").glob("*.csv"))
+
+
 def test_borders_of_classes_are_smooth(boot):
     """Between two classes there are mixed colours, not a staircase of cells."""
     picture = np.asarray(quintrig.plot(boot, "hk_type", view="flat").axes[0].images[0].get_array()).reshape(-1, 3)

@@ -81,7 +81,7 @@ def squeezed(text):
 @pytest.fixture
 def undrawn(monkeypatch):
     """Leave out the pictures, and the last digits of integrals that do not converge: both take most of the time."""
-    monkeypatch.setattr(write, "render", lambda picture, formats: BLANK)
+    monkeypatch.setattr(write, "render", lambda picture, formats, style: BLANK)
     monkeypatch.setattr(summary, "integrals", lambda surface, tolerance: integrals(surface, 1e-6, 16))
 
 
@@ -342,7 +342,7 @@ def test_a_page_that_cannot_be_written_says_so_and_leaves_nothing(undrawn, tmp_p
 
 
 def test_a_run_that_fails_keeps_the_page_that_was_there(monkeypatch, tmp_path):
-    def fail(picture, formats):
+    def fail(picture, formats, style):
         raise MemoryError
 
     (tmp_path / "index.html").write_text("before")
@@ -435,7 +435,11 @@ def test_a_formula_has_its_parts_in_place():
 
 def test_figures_are_files_of_the_formats_asked_for_and_points_are_tables(tmp_path, monkeypatch):
     files = {form: form.encode() for form in ("png", "pdf")}
-    monkeypatch.setattr(write, "render", lambda picture, formats: replace(BLANK, files={f: files[f] for f in formats}))
+    monkeypatch.setattr(
+        write,
+        "render",
+        lambda picture, formats, style: replace(BLANK, files={f: files[f] for f in formats}, name=picture.name),
+    )
     monkeypatch.setattr(summary, "integrals", lambda surface, tolerance: integrals(surface, 1e-6, 16))
     write.write_report(
         Model.from_dict(tomllib.loads((EXAMPLES / "ruled.toml").read_text())), tmp_path, figures=[".PDF"], grid=9
@@ -444,7 +448,7 @@ def test_figures_are_files_of_the_formats_asked_for_and_points_are_tables(tmp_pa
     assert drawn
     assert {path.suffix for path in drawn} == {".pdf"}
     assert {path.name for path in (tmp_path / "tables").iterdir()} >= {"points.csv", "points.tex"}
-    with pytest.raises(QuintrigError, match="expected a file name ending in"):
+    with pytest.raises(ValueError, match="figures: expected some of png, svg, pdf, eps, found 'bmp'"):
         write.write_report(
             Model.from_dict(tomllib.loads((EXAMPLES / "ruled.toml").read_text())), tmp_path, figures=["bmp"]
         )

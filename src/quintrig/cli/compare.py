@@ -1,5 +1,6 @@
 """``quintrig compare``: what shape parameters do to a surface."""
 
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -8,6 +9,7 @@ import typer
 from quintrig.cli import session
 from quintrig.cli.options import WhichPatch
 from quintrig.cli.show import print_table
+from quintrig.cli.style import with_style
 from quintrig.support.errors import QuintrigError
 
 if TYPE_CHECKING:
@@ -15,6 +17,7 @@ if TYPE_CHECKING:
 
     from quintrig.analysis.table import Table
     from quintrig.figure import View
+    from quintrig.figure.style import Style
     from quintrig.model.patch import NamedCurve
     from quintrig.report.shape_effect_page import Picture
     from quintrig.shaping.curve_effect import CurveVariant
@@ -26,13 +29,25 @@ _EPILOG = session.examples(
     ("quintrig compare lid.toml out/shapes", "as it is and with the thesis's four sets: page, pictures, tables"),
     ("quintrig compare lid.toml shapes.html", "the page alone, in one file"),
     ("quintrig compare lid.toml out/shapes --shape 1,1,1,1 --shape 1,1,-3,-3", "sets of your own beside it"),
+    (
+        "quintrig compare lid.toml out/shapes --figures pdf --style journal",
+        "pictures as PDF, to be printed in a journal",
+    ),
     ("quintrig compare lid.toml", "the table of intensities alone, on the screen"),
 )
 
 
+@dataclass(frozen=True)
+class _Look:
+    """As which files the pictures are written, and in which style."""
+
+    formats: tuple[str, ...]
+    style: "Style"
+
+
 def register(app: typer.Typer) -> None:
     """Add the command."""
-    session.add(app, compare, _EPILOG)
+    session.add(app, with_style(compare), _EPILOG)
 
 
 def compare(
@@ -53,15 +68,28 @@ def compare(
         str, typer.Option("-q", "--quantities", metavar="KEYS", help="What the pictures show.")
     ] = "gaussian,mean",
     view: Annotated[str, typer.Option(metavar="VIEW", help="iso, side, back, top, or AZIMUTH,ELEVATION.")] = "iso",
+    figures: Annotated[
+        str | None,
+        typer.Option(
+            metavar="FORMATS", help="Pictures and tables as files too, such as png,pdf.", show_default="png in a folder"
+        ),
+    ] = None,
     patch: WhichPatch = None,
+    style: "Style | None" = None,
 ) -> None:
     """Show the effect of shape parameters: the model's own, and other sets beside them.
 
     Writes a page with pictures on one scale of length and colour and a table of intensities: least, greatest and mean
-    K and H, area and energies; of a curve length, extreme curvature and torsion, bending energy. In a folder the pictures and the table are files too.
+    K and H, area and energies; of a curve length, extreme curvature and torsion, bending energy. In a folder the
+    pictures and the table are files too.
     """
     from quintrig.figure.plot import read_quantities, read_view
+    from quintrig.figure.save import formats_of
+    from quintrig.figure.style import STANDARD
 
+    alone = out is not None and out.suffix.lower() == ".html"
+    formats = formats_of((("" if alone else "png") if figures is None else figures).split(","))
+    look = _Look(formats, style or STANDARD)
     keys, seen = read_quantities([word.strip() for word in quantities.split(",")]), read_view(view)
     loaded = session.load_any(model)
     from quintrig.model.patch import NamedCurve
@@ -81,7 +109,7 @@ def compare(
         refuse_unwritable(out if out.suffix.lower() == ".html" else out / "index.html")
     title = f"{loaded.name}: effect of the shape parameters"
     if isinstance(one, NamedCurve):
-        _of_curve(beside_own(one, shapes), out, title, loaded.unit)
+        _of_curve(beside_own(one, shapes), out, title, loaded.unit, look)
         return
     sets = beside_own(one, shapes)
     with session.progress() as progress:
@@ -90,7 +118,7 @@ def compare(
             progress(f"shape parameters {index + 1} of {len(sets)}", index, len(sets))
             found.append(variant(changed, loaded.unit, own=index == 0))
         table = intensities(found, title)
-        results = {} if out is None else _results(out, found, table, keys, seen, progress)
+        results = {} if out is None else _results(out, found, table, keys, seen, look, progress)
     if out is None:
         print_table(table, session.output())
         return
@@ -99,7 +127,7 @@ def compare(
     session.done(next(iter(results)))
 
 
-def _of_curve(curves: "Sequence[NamedCurve]", out: Path | None, title: str, unit: str) -> None:
+def _of_curve(curves: "Sequence[NamedCurve]", out: Path | None, title: str, unit: str, look: "_Look") -> None:
     """Print or write what shape parameters do to a curve."""
     from quintrig.shaping.curve_effect import curve_measures, curve_variant
 
@@ -111,7 +139,7 @@ def _of_curve(curves: "Sequence[NamedCurve]", out: Path | None, title: str, unit
     from quintrig.report.shape_effect_page import curve_pictures
     from quintrig.support.files import write_whole
 
-    drawn = curve_pictures(found, unit, title.partition(": effect")[0])
+    drawn = curve_pictures(found, unit, title.partition(": effect")[0], look.formats, look.style)
     for path, content in _files(out, found, table, drawn).items():
         write_whole(path, content)
     session.done(out if out.suffix.lower() == ".html" else out / "index.html")
@@ -123,23 +151,29 @@ def _results(
     table: "Table",
     keys: "Sequence[str | None]",
     view: "View",
+    look: "_Look",
     progress: "Callable[[str, int, int], None]",
 ) -> dict[Path, str | bytes]:
     """Return the files to write, the page first: all is made before anything is written."""
     from quintrig.report.shape_effect_page import pictures
 
-    drawn = pictures(found, keys, view, table.title.partition(": effect")[0], progress)
+    drawn = pictures(found, keys, view, table.title.partition(": effect")[0], progress, look.formats, look.style)
     return _files(out, found, table, drawn)
 
 
 def _files(
     out: Path, found: "Sequence[Variant] | Sequence[CurveVariant]", table: "Table", drawn: "Sequence[Picture]"
 ) -> dict[Path, str | bytes]:
-    """Return the page, and in a folder the pictures and the table as files too."""
+    """Return the page, and in a folder, or where pictures are asked for as files, those and the table as files too."""
     from quintrig.exchange.tables import TABLE_FORMATS, WRITERS
     from quintrig.report.shape_effect_page import page
 
-    if out.suffix.lower() == ".html":
-        return {out: page(found, table, drawn)}
-    tables = {out / f"intensities{suffix}": WRITERS[form](table) for suffix, form in TABLE_FORMATS.items()}
-    return {out / "index.html": page(found, table, drawn), **{out / one.name: one.png for one in drawn}, **tables}
+    alone = out.suffix.lower() == ".html"
+    shown: dict[Path, str | bytes] = {out if alone else out / "index.html": page(found, table, drawn)}
+    if alone and not any(one.files for one in drawn):
+        return shown
+    folder = out.parent / "figures" if alone else out
+    files = {folder / f"{one.name}.{form}": data for one in drawn for form, data in one.files.items()}
+    folder = out.parent / "tables" if alone else out
+    tables = {folder / f"intensities{suffix}": WRITERS[form](table) for suffix, form in TABLE_FORMATS.items()}
+    return {**shown, **files, **tables}

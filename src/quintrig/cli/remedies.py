@@ -8,6 +8,7 @@ OPTIONS = {
     "best": "--best",
     "colours": "--colours",
     "descending": "--greatest",
+    "figures": "--figures",
     "font": "--font",
     "levels": "--levels",
     "limits": "--range",

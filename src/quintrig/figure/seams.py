@@ -6,6 +6,7 @@ from matplotlib.figure import Figure
 
 from quintrig.figure.palette import INK
 from quintrig.figure.scene import Scene, Trace
+from quintrig.figure.style import STANDARD, Style
 from quintrig.figure.whole import space_picture
 from quintrig.geometry.surface import Surface
 from quintrig.multipatch.joins import ORDERS, Joins
@@ -33,7 +34,9 @@ def seam_traces(joins: Joins) -> tuple[Trace, ...]:
     return tuple(lines)
 
 
-def seam_picture(surfaces: Sequence[Surface], joins: Joins, *, title: str = "", width: float = 6.4) -> Figure:
+def seam_picture(
+    surfaces: Sequence[Surface], joins: Joins, *, title: str = "", width: float = 6.4, style: Style = STANDARD
+) -> Figure:
     """Return a picture in space of all surfaces with their seams in the colours of their orders."""
     scene = Scene(traces=seam_traces(joins))
-    return space_picture(surfaces, None, scene, title=title, unit=joins.unit, width=width)
+    return space_picture(surfaces, None, scene, title=title, unit=joins.unit, width=width, style=style)
