@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     from quintrig.enclosures.convex_hull import check_hull as check_hull
     from quintrig.exchange.export import export as export
     from quintrig.exchange.imports import open_model as open_model
+    from quintrig.figure.animate import Animation as Animation
+    from quintrig.figure.animate import animate as animate
     from quintrig.figure.plot import plot as plot
     from quintrig.figure.style import Style as Style
     from quintrig.geometry.closed_forms import catenoid as catenoid
@@ -100,6 +102,7 @@ _HOME = {
         "torus",
     ),
     "analysis.sample": ("Sample", "analyse"),
+    "figure.animate": ("Animation", "animate"),
     "figure.plot": ("plot",),
     "figure.style": ("Style",),
     "geometry.domain": ("grid",),

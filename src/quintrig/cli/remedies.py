@@ -3,6 +3,7 @@
 from quintrig.support.errors import Note, ToldError
 
 OPTIONS = {
+    "animate": "--animate",
     "axes": "--vary",
     "axis": "--vary",
     "best": "--best",
@@ -10,6 +11,7 @@ OPTIONS = {
     "descending": "--greatest",
     "figures": "--figures",
     "font": "--font",
+    "frames": "--frames",
     "levels": "--levels",
     "limits": "--range",
     "percentiles": "--percentiles",

@@ -184,7 +184,7 @@ def projections(
     stretch = common_limits(fields, style)
     levels = levels_of(style, stretch)
     views = [replace(scene, view=view) for view in (SIDE, BACK, TOP)]
-    box = bounds(patches, scene)
+    box = bounds(patches, scene, style)
     columns = 3 if columns_for(width, 3, 3) == 3 else 1
     arrange, room = (equal_scale, width - 0.44) if columns == 3 else (stacked_scale, width - 0.2)
     sizes, point = arrange([view.view for view in views], *box, room, scene.frame)

@@ -7,6 +7,7 @@ import numpy as np
 
 from quintrig.figure.camera import ISO, View
 from quintrig.figure.palette import INK
+from quintrig.figure.style import STANDARD, Style
 from quintrig.geometry.domain import face_grid
 from quintrig.geometry.surface import Surface
 from quintrig.support.arrays import BoolArray, FloatArray
@@ -71,11 +72,13 @@ def rims(surface: Surface) -> list[FloatArray]:
     return [surface(*np.concatenate([loop, loop[:1]]).T) for loop in surface.trim]
 
 
-def bounds(surfaces: Sequence[Surface], scene: Scene) -> Box:
-    """Return the corners (3,) of the box around everything drawn.
+def bounds(surfaces: Sequence[Surface], scene: Scene, style: Style = STANDARD) -> Box:
+    """Return the corners (3,) of the box around everything drawn, or that of the style.
 
     A surface that runs off towards infinity, as a developable can, is cut: see ``share_outside``.
     """
+    if style.box is not None:
+        return settled(*np.array(style.box))
     clouds = [np.concatenate([*rims(surface), _on_face(surface)]) for surface in surfaces]
     clouds = [_robust(cloud) for cloud in clouds]
     clouds += [surface.net.reshape(-1, 3) for surface in surfaces if scene.net and surface.net is not None]

@@ -1,8 +1,8 @@
 """How figures look: texts, fonts, sizes, colours and levels, asked for by the one who publishes them."""
 
 import re
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import Any
 
@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.font_manager import get_font_names
 from matplotlib.text import Text
 
+from quintrig.figure.palette import Limits
 from quintrig.support.errors import ArgumentError, nearest
 
 POINTS = 7.5
@@ -29,7 +30,8 @@ class Style:
     ``title`` and ``caption`` say whether titles and the note below are drawn. ``font`` is a family, empty for the usual
     one; ``size`` that of numbers in points. ``limits`` are the ends of colour scales, or ``percentiles`` of the values
     to stretch them between; ``colours`` names a matplotlib colour map for quantities that are numbers. ``levels`` are
-    contour lines: how many, or at which values.
+    contour lines: how many, or at which values. Pictures that follow each other have ``scales``, by the key of a
+    quantity, and a ``box``, two corners, in common.
     """
 
     title: bool = True
@@ -40,6 +42,8 @@ class Style:
     percentiles: tuple[float, float] | None = None
     colours: str = ""
     levels: int | tuple[float, ...] = 0
+    scales: Mapping[str, Limits] = field(default_factory=dict[str, Limits])
+    box: tuple[tuple[float, ...], tuple[float, ...]] | None = None
 
     def __post_init__(self) -> None:
         """Check once, at birth; ValueError in one line."""

@@ -44,7 +44,7 @@ def space_picture(
     named = [trace for trace in scene.traces if trace.label]
     place: KeyPlace = "right" if fields else "below" if named else "none"
     key_size = 0.4 if place == "below" else key_width(fields)
-    box = bounds(patches, scene)
+    box = bounds(patches, scene, style)
     panel = panel_size(scene.view, *box, width - 0.2 - (key_size if place == "right" else 0.0), scene.frame)
     text = note(patches, fields, unit, thresholds, share_outside(patches, box), zeros=scene.zeros)
     text = ". ".join(part for part in (text, remark) if part)
@@ -113,7 +113,7 @@ def panels(
     patches = several(surfaces)
     scene = scene or Scene(normal=None in keys)
     columns = columns_for(width, len(keys), columns)
-    box = bounds(patches, scene)
+    box = bounds(patches, scene, style)
     panel = panel_size(scene.view, *box, (width - 0.2 - 0.12 * (columns - 1)) / columns, scene.frame)
     every = [facet_fields(patches, key, scene.cells, thresholds) for key in keys]
     drawn = [f for fields in every for f in fields]
