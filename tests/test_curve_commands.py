@@ -197,3 +197,14 @@ def test_curvature_runs_over_arc_length_across_joins(tmp_path):
     assert "arc length" in axes.get_xlabel()
     single = quintrig.plot(Model.from_dict(PLANE), "curvature").axes[0]
     assert single.get_xlim()[1] == 1.0
+
+
+def test_a_table_of_a_curve_has_the_columns_asked_for(tmp_path):
+    file = tmp_path / "c.json"
+    quintrig.save(Model.from_dict(PLANE), file)
+    head = next(
+        line for line in run("table", file, "-q", "κ,tangent_x", "-f", "csv").out.splitlines() if line[:1] == "t"
+    )
+    assert head.count(",") == 2
+    told = run("table", file, "-q", "kurvature")
+    assert (told.code, "did you mean 'curvature'" in told.err) == (2, True)

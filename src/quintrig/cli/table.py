@@ -75,7 +75,7 @@ def table(
     chosen = _format(form, output)
     loaded = session.load_any(model, face)
     if not loaded.patches or patch in [one.name for one in loaded.curves]:
-        _deliver(_of_curve(loaded, patch, at, grid), chosen, output, digits, siunitx, model)
+        _deliver(_of_curve(loaded, patch, at, grid, quantities), chosen, output, digits, siunitx, model)
         return
     u, v = _points(at, grid, points)
     count = np.broadcast(u, v).size
@@ -106,8 +106,10 @@ def _deliver(
     session.deliver(text, output, *sources)
 
 
-def _of_curve(model: "Model", name: str | None, at: Sequence[str] | None, grid: str | None) -> "Table":
-    """Return the table of one curve of a model, at parameters or at so many evenly spaced ones."""
+def _of_curve(
+    model: "Model", name: str | None, at: Sequence[str] | None, grid: str | None, quantities: str | None
+) -> "Table":
+    """Return the table of one curve of a model, or some columns, at parameters or at so many evenly spaced ones."""
     import numpy as np
 
     from quintrig.analysis.curve_table import tabulate_curve
@@ -124,7 +126,8 @@ def _of_curve(model: "Model", name: str | None, at: Sequence[str] | None, grid: 
         if not 2 <= count <= _MOST:
             raise ValueError(f"--grid: expected 2 to {_MOST:,} points of a curve, got {grid}")
         t = np.linspace(0.0, 1.0, count)
-    return tabulate_curve(one.curve, t, unit=model.unit, title=one.name)
+    keys = None if quantities is None else [word.strip() for word in quantities.split(",")]
+    return tabulate_curve(one.curve, t, keys, unit=model.unit, title=one.name)
 
 
 def _format(form: str | None, output: Path | None) -> str:

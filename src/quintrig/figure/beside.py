@@ -24,7 +24,7 @@ from quintrig.figure.flat import (
 from quintrig.figure.frame import equal_scale, panel_size, stacked_scale
 from quintrig.figure.legend import draw_class_list, draw_key, key_height, list_height
 from quintrig.figure.palette import SERIES
-from quintrig.figure.scene import Box, Mark, Scene, bounds, settled, share_outside
+from quintrig.figure.scene import Box, Mark, Scene, bounds, settled, share_outside, thinned
 from quintrig.figure.sheet import columns_for, sheet
 from quintrig.figure.space import draw_space
 from quintrig.figure.style import STANDARD, Style
@@ -179,7 +179,7 @@ def projections(
     """
     width = width / style.factor
     patches = several(surfaces)
-    scene = scene or Scene(isolines=7)
+    scene = thinned(scene or Scene(isolines=7), len(patches))
     fields = facet_fields(patches, key, scene.cells, thresholds)
     stretch = common_limits(fields, style)
     levels = levels_of(style, stretch)

@@ -1,5 +1,6 @@
 """How figures look: texts, fonts, sizes, colours and levels, asked for by the one who publishes them."""
 
+import math
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -47,9 +48,9 @@ class Style:
 
     def __post_init__(self) -> None:
         """Check once, at birth; ValueError in one line."""
-        if self.limits is not None and not self.limits[0] < self.limits[1]:
+        if self.limits is not None and not -math.inf < self.limits[0] < self.limits[1] < math.inf:
             raise ArgumentError(
-                f"expected two rising numbers, found {self.limits[0]:g} and {self.limits[1]:g}", "limits"
+                f"expected two rising finite numbers, found {self.limits[0]:g} and {self.limits[1]:g}", "limits"
             )
         if self.percentiles is not None and not 0.0 <= self.percentiles[0] < self.percentiles[1] <= 100.0:
             low, high = self.percentiles
@@ -59,13 +60,15 @@ class Style:
         if not 4.0 <= self.size <= 24.0:
             raise ArgumentError(f"expected 4 to 24 points, found {self.size:g}", "size")
         if self.colours and self.colours not in matplotlib.colormaps:
-            known = nearest(self.colours, matplotlib.colormaps)
+            known = nearest(self.colours, matplotlib.colormaps) or "; such as viridis, cividis, magma or coolwarm"
             raise ArgumentError(f"no colour map of matplotlib is called {self.colours!r}{known}", "colours")
         if isinstance(self.levels, int):
             if not 0 <= self.levels <= 100:
                 raise ArgumentError(f"expected 0 to 100 lines, found {self.levels}", "levels")
-        elif any(not a < b for a, b in pairwise(self.levels)):
-            raise ArgumentError(f"expected rising values, found {', '.join(f'{x:g}' for x in self.levels)}", "levels")
+        elif any(not a < b for a, b in pairwise((-math.inf, *self.levels, math.inf))):
+            raise ArgumentError(
+                f"expected rising finite values, found {', '.join(f'{x:g}' for x in self.levels)}", "levels"
+            )
 
     @property
     def factor(self) -> float:
