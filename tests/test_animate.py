@@ -96,7 +96,7 @@ def test_stills_and_films_have_their_own_suffixes_and_frames(tmp_path, monkeypat
     boot = EXAMPLES / "car_boot.toml"
     for words, said in (
         (("--animate", "alpha1", "-o", "k.png"), "ending in .gif or .mp4"),
-        (("-o", "k.gif"), "or add --animate"),
+        (("-o", "k.gif"), "or --animate for a film"),
         (("--frames", "3", "-o", "k.png"), "--frames: are those of an animation"),
         (("--animate", "alpha1", "--frames", "1", "-o", "k.gif"), "--frames: expected 2 to 500"),
     ):

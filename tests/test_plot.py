@@ -224,7 +224,9 @@ def test_contours_of_a_small_face_are_traced_over_the_face():
 def test_a_picture_of_thousands_of_patches_is_drawn_with_few_facets_each_or_refused():
     unit = np.stack(np.meshgrid([0.0, 0.5, 1.0], [0.0, 0.5, 1.0], indexing="ij"), axis=-1)
     points = np.concatenate([unit, (unit**2).sum(axis=-1, keepdims=True)], axis=-1)
-    patches = tuple(quintrig.tensor(points + [2 * (k % 30), 2 * (k // 30), 0], basis="bernstein") for k in range(900))
+    patches = tuple(
+        quintrig.tensor(points + np.array([2 * (k % 30), 2 * (k // 30), 0]), basis="bernstein") for k in range(900)
+    )
     many = quintrig.Model(
         "many", "mm", tuple(quintrig.model.patch.Patch.of(one, f"p{k}") for k, one in enumerate(patches))
     )
@@ -232,5 +234,5 @@ def test_a_picture_of_thousands_of_patches_is_drawn_with_few_facets_each_or_refu
     facets = sum(len(one.get_paths()) for one in figure.axes[0].collections)
     assert 900 * 16 <= facets < 1_000_000
     crowd = quintrig.Model("crowd", "mm", many.patches * 6)
-    with pytest.raises(ValueError, match="5,400 surfaces are more than the 5,000 .*; choose one by its name"):
+    with pytest.raises(ValueError, match=r"5,400 surfaces are more than the 5,000 .*; choose one by its name"):
         quintrig.plot(crowd, "K")

@@ -22,8 +22,11 @@ from quintrig.analysis.integrate import INTEGRALS, integrals
 from quintrig.model.kinds.registry import OWN as KINDS
 from quintrig.model.model import Model, load
 from quintrig.model.starter import starter
+from quintrig.quantities.classify import Thresholds
 from quintrig.quantities.table import QUANTITIES
 from quintrig.report import kinds, pictures, write, write_report
+from quintrig.report.facts import gather, standard
+from quintrig.report.findings import findings
 from quintrig.report.mathml import mathml
 from quintrig.report.pictures import Image
 from quintrig.report.wording import aligned, digits_of, percent, prose, span
@@ -452,3 +455,23 @@ def test_figures_are_files_of_the_formats_asked_for_and_points_are_tables(tmp_pa
         write.write_report(
             Model.from_dict(tomllib.loads((EXAMPLES / "ruled.toml").read_text())), tmp_path, figures=["bmp"]
         )
+
+
+@pytest.mark.parametrize(("shape", "told"), [([1.0, 1.0, 0.0, 0.0], True), ([0.9, 1.0, 1.0, 1.0], False)])
+def test_sets_of_the_thesis_are_told_of_only_where_they_bend_the_surface_less(shape, told, undrawn, tmp_path):
+    boot = load(EXAMPLES / "car_boot.toml").with_shape(shape)
+    facts = gather(boot.patch(), "mm", Thresholds(), 9, True, lambda what: None)
+    own = facts.summary.integrals.bending_energy.value
+    best = min(one.summary.integrals.bending_energy.value for one in standard(facts))
+    assert (own > 1.001 * best) == told
+    assert any("thesis" in line for line in findings(facts)) == told
+
+
+def test_what_matters_less_is_folded_and_prints(whole):
+    text = whole[0].read_text(encoding="utf-8")
+    folded = "".join(re.findall(r'<details class="fold">.*?</details>', text, re.DOTALL))
+    for name in ("Shape index", "Principal directions", "The six maps", "Quantities and their sources"):
+        assert name in folded
+    for name in ("In short", "dome or bowl (", "Extremes and means"):
+        assert name not in folded
+    assert "details::details-content { content-visibility: visible" in text

@@ -100,7 +100,7 @@ def plot(
     if frames is not None:
         raise ValueError("--frames: are those of an animation; add --animate NAME=LOW:HIGH")
     if output.suffix.lower() in (".gif", ".mp4"):
-        raise ValueError(f"{output}: expected a file name ending in .png, .svg, .pdf, .eps; or add --animate for a film")
+        raise ValueError(f"{output}: expected a file name ending in .png, .svg, .pdf, .eps, or --animate for a film")
     kind_of(output)
     refuse_unwritable(output)
     pairs = [session.numbers(text, 2, "--at") for text in at or []]
