@@ -472,6 +472,6 @@ def test_what_matters_less_is_folded_and_prints(whole):
     folded = "".join(re.findall(r'<details class="fold">.*?</details>', text, re.DOTALL))
     for name in ("Shape index", "Principal directions", "The six maps", "Quantities and their sources"):
         assert name in folded
-    for name in ("In short", "dome or bowl (", "Extremes and means"):
+    for name in ("In short", "Red: dome", "Extremes and means"):
         assert name not in folded
     assert "details::details-content { content-visibility: visible" in text

@@ -11,8 +11,8 @@ from quintrig.support import display, late
 
 if TYPE_CHECKING:
     from quintrig.analysis.agreement import compare_methods as compare_methods
-    from quintrig.analysis.extremes import find_extremes as find_extremes
-    from quintrig.analysis.integrate import integrals as integrals
+    from quintrig.analysis.measured import find_extremes as find_extremes
+    from quintrig.analysis.measured import integrals as integrals
     from quintrig.analysis.sample import Sample as Sample
     from quintrig.analysis.sample import analyse as analyse
     from quintrig.analysis.stream import analyse_blocks as analyse_blocks
@@ -67,9 +67,8 @@ __version__ = "0.1.0"
 
 _HOME = {
     "analysis.agreement": ("compare_methods",),
-    "analysis.extremes": ("find_extremes",),
+    "analysis.measured": ("find_extremes", "integrals"),
     "enclosures.convex_hull": ("check_curve_hull", "check_hull"),
-    "analysis.integrate": ("integrals",),
     "analysis.summary": ("summarise",),
     "analysis.stream": ("analyse_blocks",),
     "quantities.classify": ("Thresholds",),

@@ -1,5 +1,6 @@
 """Samples as the tables and labelled arrays that other packages work with."""
 
+from html import escape
 from importlib import import_module
 from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
@@ -12,6 +13,10 @@ from quintrig.support.extras import need
 
 if TYPE_CHECKING:
     from quintrig.analysis.sample import Sample
+
+
+_ROWS, _COLUMNS = 8, 10
+"""What a notebook shows of a sample."""
 
 
 def dataframe(sample: "Sample") -> Any:
@@ -30,6 +35,26 @@ def dataframe(sample: "Sample") -> Any:
         if find_spec(package) is not None:
             return import_module(package).DataFrame(columns)
     raise QuintrigError("a DataFrame needs pandas or polars; install one of them with: pip install pandas")
+
+
+def html(sample: "Sample") -> str:
+    """Return a small table of the first points and quantities, in the colours of the page around it."""
+    u, v = (values.ravel()[:_ROWS] for values in np.broadcast_arrays(sample.u, sample.v))
+    heads, columns = ["u", "v"], [[f"{x:.6g}" for x in u], [f"{x:.6g}" for x in v]]
+    for key in list(sample.values)[:_COLUMNS]:
+        row, values = BY_KEY[key], sample[key].reshape(-1, *((3,) if BY_KEY[key].components == 3 else ()))[:_ROWS]
+        heads.append(row.symbol)
+        if row.kind == "class":
+            columns.append([row.classes[code] for code in values.tolist()])
+        else:
+            columns.append(["(" + ", ".join(f"{x:.4g}" for x in np.atleast_1d(one)) + ")" for one in values])
+            columns[-1] = columns[-1] if row.components == 3 else [text.strip("()") for text in columns[-1]]
+    head = "".join(f"<th>{escape(text)}</th>" for text in heads)
+    body = "".join(
+        "<tr>" + "".join(f"<td>{escape(text)}</td>" for text in row) + "</tr>" for row in zip(*columns, strict=True)
+    )
+    caption = escape(repr(sample).strip("<>"))
+    return f"<table><caption>{caption}</caption><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
 
 
 def dataset(sample: "Sample") -> Any:
