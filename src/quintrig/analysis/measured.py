@@ -2,18 +2,17 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, overload
+from typing import overload
 
 import numpy as np
 
+from quintrig.analysis import extremes, integrate
+from quintrig.analysis.extremes import Extremes
+from quintrig.analysis.integrate import Integrals
 from quintrig.geometry.curve import Curve
 from quintrig.geometry.surface import Surface
 from quintrig.support.arrays import FloatArray
 from quintrig.support.errors import ArgumentError, nearest
-
-if TYPE_CHECKING:
-    from quintrig.analysis.extremes import Extremes
-    from quintrig.analysis.integrate import Integrals
 
 _KEYS = ("gaussian", "mean", "k1", "k2", "shape_index", "curvedness")
 _SAMPLES = 2001  # at which torsion is looked at
@@ -46,10 +45,10 @@ class CurveExtremes:
 
 
 @overload
-def integrals(subject: Surface, tolerance: float = 1e-9, panels: int = 64) -> "Integrals": ...
+def integrals(subject: Surface, tolerance: float = 1e-9, panels: int = 64) -> Integrals: ...
 @overload
 def integrals(subject: Curve, tolerance: float = 1e-9, panels: int = 64) -> CurveIntegrals: ...
-def integrals(subject: Surface | Curve, tolerance: float = 1e-9, panels: int = 64) -> "Integrals | CurveIntegrals":
+def integrals(subject: Surface | Curve, tolerance: float = 1e-9, panels: int = 64) -> Integrals | CurveIntegrals:
     """Return the integrals over a surface, of a trimmed face over what its loops hold, or along a curve.
 
     Of a surface two resolutions agree to ``tolerance``, relative to the integral, with at most ``panels`` a side; of a
@@ -58,18 +57,16 @@ def integrals(subject: Surface | Curve, tolerance: float = 1e-9, panels: int = 6
     """
     if isinstance(subject, Curve):
         return CurveIntegrals(subject.length(), subject.bending_energy())
-    from quintrig.analysis.integrate import integrals as over
-
-    return over(subject, tolerance, panels)
+    return integrate.integrals(subject, tolerance, panels)
 
 
 @overload
-def find_extremes(subject: Surface, keys: Sequence[str] | str = _KEYS, samples: int = 65) -> "dict[str, Extremes]": ...
+def find_extremes(subject: Surface, keys: Sequence[str] | str = _KEYS, samples: int = 65) -> dict[str, Extremes]: ...
 @overload
 def find_extremes(subject: Curve, keys: Sequence[str] | str = _KEYS, samples: int = 65) -> dict[str, CurveExtremes]: ...
 def find_extremes(
     subject: Surface | Curve, keys: Sequence[str] | str = _KEYS, samples: int = 65
-) -> "dict[str, Extremes] | dict[str, CurveExtremes]":
+) -> dict[str, Extremes] | dict[str, CurveExtremes]:
     """Return minimum, maximum and mean of scalar quantities of a surface, or extreme curvature and torsion of a curve.
 
     The result is by key; ``keys`` may be symbols, or a single one, and ``samples`` a side of a surface are refined. The
@@ -80,9 +77,7 @@ def find_extremes(
         known = ("curvature",) if subject.points.shape[1] == 2 else ("curvature", "torsion")
         wanted = known if keys is _KEYS else [keys] if isinstance(keys, str) else keys
         return {key: _along(subject, key) for key in (_key(name, known) for name in wanted)}
-    from quintrig.analysis.extremes import find_extremes as over
-
-    return over(subject, keys, samples)
+    return extremes.find_extremes(subject, keys, samples)
 
 
 def _key(name: str, known: Sequence[str]) -> str:
