@@ -53,8 +53,8 @@ def write_reproduction(
     """Build every figure and table into the folder ``out`` and return the page's path.
 
     ``only`` limits it to some items, by key such as ``figure-4.3``; ``style`` is how pictures look, and ``processes``
-    draw at once. An existing reproduction is replaced when the new one is complete. Raises QuintrigError where ``out`` holds other files or
-    cannot be written.
+    draw at once. An existing reproduction is replaced when the new one is complete. Raises QuintrigError where ``out``
+    holds other files or cannot be written.
     """
     if out.exists() and (not out.is_dir() or (any(out.iterdir()) and not (out / "inventory.toml").exists())):
         raise QuintrigError(f"{out}: expected a new or empty folder, or an earlier reproduction; choose another")
