@@ -220,3 +220,14 @@ def test_points_for_curves_that_coincide_are_told_with_their_file(tmp_path):
     wrong = run("new", "curve", "--through", file, "-o", tmp_path / "c.toml")
     assert wrong.code == 2
     assert f"{file}: points[2]" in wrong.err
+
+
+def test_a_table_of_a_curve_has_the_columns_asked_for(tmp_path):
+    file = tmp_path / "c.json"
+    quintrig.save(Model.from_dict(PLANE), file)
+    head = next(
+        line for line in run("table", file, "-q", "κ,tangent_x", "-f", "csv").out.splitlines() if line[:1] == "t"
+    )
+    assert head.count(",") == 2
+    told = run("table", file, "-q", "kurvature")
+    assert (told.code, "did you mean 'curvature'" in told.err) == (2, True)

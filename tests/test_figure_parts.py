@@ -24,6 +24,7 @@ from quintrig.figure import (
     shade,
     sheet,
     space,
+    space_curves,
     space_picture,
     to_png_bytes,
     wording,
@@ -289,7 +290,7 @@ def test_a_curve_is_drawn_in_its_own_kind_of_space():
     with pytest.raises(ValueError, match="use space_curves"):
         curve.plane_curves([plane, spatial])
     with pytest.raises(ValueError, match="use plane_curves"):
-        curve.space_curves([spatial, plane])
+        space_curves([spatial, plane])
 
 
 @settings(deadline=None)

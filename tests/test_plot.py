@@ -135,7 +135,10 @@ def test_a_sample_is_drawn_with_its_own_values(boot):
 
 
 MISTAKES = {
-    "upside down": ({"limits": (2, 1)}, "limits: expected two rising numbers"),
+    "upside down": ({"limits": (2, 1)}, "limits: expected two rising finite numbers"),
+    "endless": ({"limits": (-np.inf, 1)}, "limits: expected two rising finite numbers"),
+    "endless levels": ({"levels": [0, np.nan]}, "levels: expected rising finite values"),
+    "no such colours": ({"colours": "nothing"}, "such as viridis"),
     "both": ({"limits": (0, 1), "percentiles": (1, 99)}, "expected one of them"),
     "percentiles": ({"percentiles": (50, 101)}, "percentiles: expected"),
     "font": ({"font": "No Such Face"}, "is not installed"),
@@ -164,7 +167,25 @@ def test_the_command_has_the_same_options(tmp_path):
     assert b"/Type3" not in out.read_bytes()
     told = command("plot", BOOT, "-q", "K", "--range", "2,1", "-o", out)
     assert (told.code, told.err.count("\n")) == (2, 1)
-    assert "--range: expected two rising numbers" in told.err
+    assert "--range: expected two rising finite numbers" in told.err
+
+
+def test_comparisons_reports_and_reproductions_take_a_style_and_write_files(tmp_path):
+    curve = tmp_path / "curve.json"
+    quintrig.save(quintrig.Model.of_curves([PLANE]), curve)
+    style = ("--style", "journal")
+    for name, words in (
+        ("compared/curvature.pdf", ("compare", curve, tmp_path / "compared", "--figures", "pdf,svg", *style)),
+        ("beside/figures/curve.pdf", ("compare", curve, tmp_path / "beside" / "c.html", "--figures", ".PDF", *style)),
+        ("told/figures/curve-1-comb.pdf", ("report", curve, tmp_path / "told", "--figures", "pdf", *style)),
+        ("thesis/figures/figure-2.1.pdf", ("reproduce", tmp_path / "thesis", "--only", "2.1", *style)),
+    ):
+        told = command(*words)
+        assert (told.code, (tmp_path / name).exists()) == (0, True), told.err
+        assert b"STIXGeneral" in (tmp_path / name).read_bytes()
+    assert not list((tmp_path / "compared").glob("*.png"))
+    assert list((tmp_path / "beside" / "tables").glob("*.tex"))
+    assert list((tmp_path / "told" / "tables").glob("*.csv"))
 
 
 def test_borders_of_classes_are_smooth(boot):
@@ -198,3 +219,20 @@ def test_contours_of_a_small_face_are_traced_over_the_face():
     figure = quintrig.plot(surface, "K", view="flat", levels=[level])
     lines = [line for line in figure.axes[0].lines if line.get_linewidth() == pytest.approx(0.45)]
     assert sum(len(line.get_xdata()) for line in lines) > 100
+
+
+def test_a_picture_of_thousands_of_patches_is_drawn_with_few_facets_each_or_refused():
+    unit = np.stack(np.meshgrid([0.0, 0.5, 1.0], [0.0, 0.5, 1.0], indexing="ij"), axis=-1)
+    points = np.concatenate([unit, (unit**2).sum(axis=-1, keepdims=True)], axis=-1)
+    patches = tuple(
+        quintrig.tensor(points + np.array([2 * (k % 30), 2 * (k // 30), 0]), basis="bernstein") for k in range(900)
+    )
+    many = quintrig.Model(
+        "many", "mm", tuple(quintrig.model.patch.Patch.of(one, f"p{k}") for k, one in enumerate(patches))
+    )
+    figure = quintrig.plot(many, "K")
+    facets = sum(len(one.get_paths()) for one in figure.axes[0].collections)
+    assert 900 * 16 <= facets < 1_000_000
+    crowd = quintrig.Model("crowd", "mm", many.patches * 6)
+    with pytest.raises(ValueError, match=r"5,400 surfaces are more than the 5,000 .*; choose one by its name"):
+        quintrig.plot(crowd, "K")

@@ -130,9 +130,15 @@ def test_a_sample_knows_symbols_too():
 
 
 def test_unknown_quantity_far_from_all_names_some():
-    with pytest.raises(ValueError, match="such as point, normal, E") as caught:
+    with pytest.raises(ValueError, match="such as K, H, κ1, κ2") as caught:
         quantity("temperature")
     assert "did you mean" not in str(caught.value)
+
+
+def test_a_symbol_that_is_no_quantity_names_those_of_its_letter():
+    with pytest.raises(ValueError, match="κ1") as caught:
+        quantity("κ3")
+    assert "H" not in str(caught.value).partition(";")[2].partition(";")[0]
 
 
 @pytest.mark.parametrize("q", QUANTITIES, ids=lambda q: q.key)

@@ -69,6 +69,7 @@ def test_every_key_has_a_remedy():
 TWO = Model.from_dict({"patch": [{"name": "a", "kind": "sphere"}, {"name": "b", "kind": "sphere"}]})
 CURVE = SpaceCurve(1, "c", [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]], [1.0, 1.0], 1, [0.0, 0.0, 1.0, 1.0])
 SPACE = DesignSpace((Axis("radius", 1.0, 2.0, 3),))
+TASK = Task({"kind": "sphere"}, None, SPACE, 4)
 
 
 def called(function, *arguments, **named):
@@ -100,12 +101,12 @@ def called(function, *arguments, **named):
             "--points: expected 4 to 128 a side, got 2",
         ),
         (
-            lambda _: called(Question(descending=True).check, SPACE),
+            lambda _: called(Question(descending=True).check, TASK),
             "descending: says the order of a column; give it as best",
             "--greatest: says the order of a column; add --best COLUMN",
         ),
-        (lambda _: called(Question("nothing < 1").check, SPACE), "where 'nothing < 1': ", "--where 'nothing < 1': "),
-        (lambda _: called(Question(best="x").check, SPACE), "best x: unknown column", "--best x: unknown column"),
+        (lambda _: called(Question("nothing < 1").check, TASK), "where 'nothing < 1': ", "--where 'nothing < 1': "),
+        (lambda _: called(Question(best="x").check, TASK), "best x: unknown column", "--best x: unknown column"),
         (
             lambda _: called(to_model, Contents("n", "mm", (), (CURVE,)), "a.step"),
             "found none, only 1 curves; export the faces as NURBS",

@@ -22,8 +22,11 @@ from quintrig.analysis.integrate import INTEGRALS, integrals
 from quintrig.model.kinds.registry import OWN as KINDS
 from quintrig.model.model import Model, load
 from quintrig.model.starter import starter
+from quintrig.quantities.classify import Thresholds
 from quintrig.quantities.table import QUANTITIES
 from quintrig.report import kinds, pictures, write, write_report
+from quintrig.report.facts import gather, standard
+from quintrig.report.findings import findings
 from quintrig.report.mathml import mathml
 from quintrig.report.pictures import Image
 from quintrig.report.wording import aligned, digits_of, percent, prose, span
@@ -81,7 +84,7 @@ def squeezed(text):
 @pytest.fixture
 def undrawn(monkeypatch):
     """Leave out the pictures, and the last digits of integrals that do not converge: both take most of the time."""
-    monkeypatch.setattr(write, "render", lambda picture, formats: BLANK)
+    monkeypatch.setattr(write, "render", lambda picture, formats, style: BLANK)
     monkeypatch.setattr(summary, "integrals", lambda surface, tolerance: integrals(surface, 1e-6, 16))
 
 
@@ -342,7 +345,7 @@ def test_a_page_that_cannot_be_written_says_so_and_leaves_nothing(undrawn, tmp_p
 
 
 def test_a_run_that_fails_keeps_the_page_that_was_there(monkeypatch, tmp_path):
-    def fail(picture, formats):
+    def fail(picture, formats, style):
         raise MemoryError
 
     (tmp_path / "index.html").write_text("before")
@@ -435,7 +438,11 @@ def test_a_formula_has_its_parts_in_place():
 
 def test_figures_are_files_of_the_formats_asked_for_and_points_are_tables(tmp_path, monkeypatch):
     files = {form: form.encode() for form in ("png", "pdf")}
-    monkeypatch.setattr(write, "render", lambda picture, formats: replace(BLANK, files={f: files[f] for f in formats}))
+    monkeypatch.setattr(
+        write,
+        "render",
+        lambda picture, formats, style: replace(BLANK, files={f: files[f] for f in formats}, name=picture.name),
+    )
     monkeypatch.setattr(summary, "integrals", lambda surface, tolerance: integrals(surface, 1e-6, 16))
     write.write_report(
         Model.from_dict(tomllib.loads((EXAMPLES / "ruled.toml").read_text())), tmp_path, figures=[".PDF"], grid=9
@@ -444,7 +451,27 @@ def test_figures_are_files_of_the_formats_asked_for_and_points_are_tables(tmp_pa
     assert drawn
     assert {path.suffix for path in drawn} == {".pdf"}
     assert {path.name for path in (tmp_path / "tables").iterdir()} >= {"points.csv", "points.tex"}
-    with pytest.raises(QuintrigError, match="expected a file name ending in"):
+    with pytest.raises(ValueError, match="figures: expected some of png, svg, pdf, eps, found 'bmp'"):
         write.write_report(
             Model.from_dict(tomllib.loads((EXAMPLES / "ruled.toml").read_text())), tmp_path, figures=["bmp"]
         )
+
+
+@pytest.mark.parametrize(("shape", "told"), [([1.0, 1.0, 0.0, 0.0], True), ([0.9, 1.0, 1.0, 1.0], False)])
+def test_sets_of_the_thesis_are_told_of_only_where_they_bend_the_surface_less(shape, told, undrawn, tmp_path):
+    boot = load(EXAMPLES / "car_boot.toml").with_shape(shape)
+    facts = gather(boot.patch(), "mm", Thresholds(), 9, True, lambda what: None)
+    own = facts.summary.integrals.bending_energy.value
+    best = min(one.summary.integrals.bending_energy.value for one in standard(facts))
+    assert (own > 1.001 * best) == told
+    assert any("thesis" in line for line in findings(facts)) == told
+
+
+def test_what_matters_less_is_folded_and_prints(whole):
+    text = whole[0].read_text(encoding="utf-8")
+    folded = "".join(re.findall(r'<details class="fold">.*?</details>', text, re.DOTALL))
+    for name in ("Shape index", "Principal directions", "The six maps", "Quantities and their sources"):
+        assert name in folded
+    for name in ("In short", "Red: dome", "Extremes and means"):
+        assert name not in folded
+    assert "details::details-content { content-visibility: visible" in text

@@ -131,5 +131,5 @@ def test_other_files_are_kept(tmp_path):
 def test_only_takes_numbers_names_and_keys():
     assert chosen(["4.3"]) == {item.key for item in inventory() if item.number == "4.3"}
     assert chosen(["Figure 4.3"]) == chosen(["figure-4.3"]) == {"figure-4.3"}
-    with pytest.raises(ValueError, match=r"--only: expected the number of a figure or table.*found '9\.99'"):
+    with pytest.raises(ValueError, match=r"only: expected the number of a figure or table.*found '9\.99'"):
         chosen(["9.99"])

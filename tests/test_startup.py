@@ -65,7 +65,7 @@ def test_a_small_command_works_without_numba_scipy_and_matplotlib(words):
 
 
 def test_every_public_name_is_found():
-    drawing = {"plot", "Style"}
+    drawing = {"plot", "Style", "animate", "Animation"}
     code = f"import quintrig\nfor name in set(dir(quintrig)) - {drawing}: getattr(quintrig, name)"
     assert "matplotlib" not in loaded(code)
 

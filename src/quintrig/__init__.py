@@ -11,8 +11,8 @@ from quintrig.support import display, late
 
 if TYPE_CHECKING:
     from quintrig.analysis.agreement import compare_methods as compare_methods
-    from quintrig.analysis.extremes import find_extremes as find_extremes
-    from quintrig.analysis.integrate import integrals as integrals
+    from quintrig.analysis.measured import find_extremes as find_extremes
+    from quintrig.analysis.measured import integrals as integrals
     from quintrig.analysis.proofs import bounds as bounds
     from quintrig.analysis.proofs import prove as prove
     from quintrig.analysis.sample import Sample as Sample
@@ -36,6 +36,8 @@ if TYPE_CHECKING:
     from quintrig.exchange.imports import open_model as open_model
     from quintrig.exchange.lines import write_lines as write_lines
     from quintrig.exchange.scans import read_scan as read_scan
+    from quintrig.figure.animate import Animation as Animation
+    from quintrig.figure.animate import animate as animate
     from quintrig.figure.plot import plot as plot
     from quintrig.figure.style import Style as Style
     from quintrig.geometry.closed_forms import catenoid as catenoid
@@ -95,11 +97,10 @@ __version__ = "0.1.0"
 
 _HOME = {
     "analysis.agreement": ("compare_methods",),
-    "analysis.extremes": ("find_extremes",),
+    "analysis.measured": ("find_extremes", "integrals"),
     "enclosures.convex_hull": ("check_curve_hull", "check_hull"),
     "enclosures.search": ("Bounds",),
     "enclosures.verdicts": ("Verdict",),
-    "analysis.integrate": ("integrals",),
     "analysis.proofs": ("bounds", "prove"),
     "analysis.summary": ("summarise",),
     "analysis.stream": ("analyse_blocks",),
@@ -148,6 +149,7 @@ _HOME = {
         "torus",
     ),
     "analysis.sample": ("Sample", "analyse"),
+    "figure.animate": ("Animation", "animate"),
     "figure.plot": ("plot",),
     "figure.style": ("Style",),
     "geometry.domain": ("grid",),

@@ -1,6 +1,7 @@
 """Samples as the tables and labelled arrays that other packages work with."""
 
 from collections.abc import Mapping
+from html import escape
 from importlib import import_module
 from importlib.util import find_spec
 from typing import Any
@@ -15,6 +16,10 @@ from quintrig.support.extras import need
 
 Values = Mapping[str, NDArray[Any]]
 """Quantities by key, over parameters u and v that broadcast."""
+
+
+_ROWS, _COLUMNS = 8, 10
+"""What a notebook shows of a sample."""
 
 
 def dataframe(u: FloatArray, v: FloatArray, values: Values) -> Any:
@@ -33,6 +38,25 @@ def dataframe(u: FloatArray, v: FloatArray, values: Values) -> Any:
         if find_spec(package) is not None:
             return import_module(package).DataFrame(columns)
     raise QuintrigError("a DataFrame needs pandas or polars; install one of them with: pip install pandas")
+
+
+def html(u: FloatArray, v: FloatArray, values: Values, caption: str) -> str:
+    """Return a small table of the first points and quantities, in the colours of the page around it."""
+    u, v = (one.ravel()[:_ROWS] for one in np.broadcast_arrays(u, v))
+    heads, columns = ["u", "v"], [[f"{x:.6g}" for x in u], [f"{x:.6g}" for x in v]]
+    for key in list(values)[:_COLUMNS]:
+        row, array = BY_KEY[key], values[key].reshape(-1, *((3,) if BY_KEY[key].components == 3 else ()))[:_ROWS]
+        heads.append(row.symbol)
+        if row.kind == "class":
+            columns.append([row.classes[code] for code in array.tolist()])
+        else:
+            columns.append(["(" + ", ".join(f"{x:.4g}" for x in np.atleast_1d(one)) + ")" for one in array])
+            columns[-1] = columns[-1] if row.components == 3 else [text.strip("()") for text in columns[-1]]
+    head = "".join(f"<th>{escape(text)}</th>" for text in heads)
+    body = "".join(
+        "<tr>" + "".join(f"<td>{escape(text)}</td>" for text in row) + "</tr>" for row in zip(*columns, strict=True)
+    )
+    return f"<table><caption>{escape(caption)}</caption><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
 
 
 def dataset(u: FloatArray, v: FloatArray, values: Values, size: float) -> Any:

@@ -43,6 +43,12 @@ class Sample(Pickled):
         more = f" and {len(names) - 6} more" if len(names) > 6 else ""
         return f"<Sample at {points} points: {', '.join(names[:6])}{more}>"
 
+    def _repr_html_(self) -> str:
+        """Return what a notebook shows: a table of the first points."""
+        from quintrig.analysis.frames import html
+
+        return html(self.u, self.v, self.values, repr(self).strip("<>"))
+
     def __getitem__(self, key: str) -> NDArray[Any]:
         """Return the array of a quantity; KeyError where it was not asked for, ValueError where there is none."""
         key = quantity(key).key

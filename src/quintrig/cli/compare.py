@@ -1,5 +1,6 @@
 """``quintrig compare``: what shape parameters do to a surface."""
 
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -8,6 +9,7 @@ import typer
 from quintrig.cli import session
 from quintrig.cli.options import WhichPatch
 from quintrig.cli.show import print_table
+from quintrig.cli.style import with_style
 from quintrig.support.errors import QuintrigError
 
 if TYPE_CHECKING:
@@ -15,6 +17,7 @@ if TYPE_CHECKING:
 
     from quintrig.analysis.table import Table
     from quintrig.figure import View
+    from quintrig.figure.style import Style
     from quintrig.model.model import Model
     from quintrig.model.patch import NamedCurve
     from quintrig.report.shape_effect_page import Picture
@@ -27,13 +30,25 @@ _EPILOG = session.examples(
     ("quintrig compare lid.toml out/shapes", "as it is and with the thesis's four sets: page, pictures, tables"),
     ("quintrig compare lid.toml shapes.html", "the page alone, in one file"),
     ("quintrig compare lid.toml out/shapes --shape 1,1,1,1 --shape 1,1,-3,-3", "sets of your own beside it"),
+    (
+        "quintrig compare lid.toml out/shapes --figures pdf --style journal",
+        "pictures as PDF, to be printed in a journal",
+    ),
     ("quintrig compare lid.toml", "the table of intensities alone, on the screen"),
 )
 
 
+@dataclass(frozen=True)
+class _Look:
+    """As which files the pictures are written, and in which style."""
+
+    formats: tuple[str, ...]
+    style: "Style"
+
+
 def register(app: typer.Typer) -> None:
     """Add the command."""
-    session.add(app, compare, _EPILOG)
+    session.add(app, with_style(compare), _EPILOG)
 
 
 def compare(
@@ -54,7 +69,14 @@ def compare(
         str, typer.Option("-q", "--quantities", metavar="KEYS", help="What the pictures show.")
     ] = "gaussian,mean",
     view: Annotated[str, typer.Option(metavar="VIEW", help="iso, side, back, top, or AZIMUTH,ELEVATION.")] = "iso",
+    figures: Annotated[
+        str | None,
+        typer.Option(
+            metavar="FORMATS", help="Pictures and tables as files too, such as png,pdf.", show_default="png in a folder"
+        ),
+    ] = None,
     patch: WhichPatch = None,
+    style: "Style | None" = None,
 ) -> None:
     """Show the effect of shape parameters: the model's own, and other sets beside them.
 
@@ -64,7 +86,12 @@ def compare(
     pictures and the tables are files too.
     """
     from quintrig.figure.plot import read_quantities, read_view
+    from quintrig.figure.save import formats_of
+    from quintrig.figure.style import STANDARD
 
+    alone = out is not None and out.suffix.lower() == ".html"
+    formats = formats_of((("" if alone else "png") if figures is None else figures).split(","))
+    look = _Look(formats, style or STANDARD)
     keys, seen = read_quantities([word.strip() for word in quantities.split(",")]), read_view(view)
     loaded = session.load_any(model)
     from quintrig.model.patch import NamedCurve
@@ -88,7 +115,7 @@ def compare(
         refuse_unwritable(out if out.suffix.lower() == ".html" else out / "index.html")
     title = f"{loaded.name}: effect of the shape parameters"
     if isinstance(one, NamedCurve):
-        _of_curve(beside_own(one, shapes), out, title, loaded.unit)
+        _of_curve(beside_own(one, shapes), out, title, loaded.unit, look)
         return
     sets = beside_own(one, shapes)
     with session.progress() as progress:
@@ -98,7 +125,7 @@ def compare(
             found.append(variant(changed, loaded.unit, own=index == 0))
         table = intensities(found, title)
         seams = seam_effect(loaded, one.name, sets, [v.label for v in found]) if len(loaded.patches) > 1 else None
-        results = {} if out is None else _results(out, found, table, keys, seen, progress, seams)
+        results = {} if out is None else _results(out, found, table, keys, seen, look, progress, seams)
     if out is None:
         print_table(table, session.output())
         if seams is not None:
@@ -109,7 +136,7 @@ def compare(
     session.done(next(iter(results)))
 
 
-def _of_curve(curves: "Sequence[NamedCurve]", out: Path | None, title: str, unit: str) -> None:
+def _of_curve(curves: "Sequence[NamedCurve]", out: Path | None, title: str, unit: str, look: "_Look") -> None:
     """Print or write what shape parameters do to a curve."""
     from quintrig.shaping.curve_effect import curve_measures, curve_variant
 
@@ -121,7 +148,7 @@ def _of_curve(curves: "Sequence[NamedCurve]", out: Path | None, title: str, unit
     from quintrig.report.shape_effect_page import curve_pictures
     from quintrig.support.files import write_whole
 
-    drawn = curve_pictures(found, unit, title.partition(": effect")[0])
+    drawn = curve_pictures(found, unit, title.partition(": effect")[0], look.formats, look.style)
     for path, content in _files(out, found, table, drawn).items():
         write_whole(path, content)
     session.done(out if out.suffix.lower() == ".html" else out / "index.html")
@@ -157,13 +184,14 @@ def _results(
     table: "Table",
     keys: "Sequence[str | None]",
     view: "View",
+    look: "_Look",
     progress: "Callable[[str, int, int], None]",
     seams: "Table | None" = None,
 ) -> dict[Path, str | bytes]:
     """Return the files to write, the page first: all is made before anything is written."""
     from quintrig.report.shape_effect_page import pictures
 
-    drawn = pictures(found, keys, view, table.title.partition(": effect")[0], progress)
+    drawn = pictures(found, keys, view, table.title.partition(": effect")[0], progress, look.formats, look.style)
     return _files(out, found, table, drawn, seams)
 
 
@@ -174,20 +202,21 @@ def _files(
     drawn: "Sequence[Picture]",
     seams: "Table | None" = None,
 ) -> dict[Path, str | bytes]:
-    """Return the page, and in a folder the pictures and the table as files too."""
+    """Return the page, and in a folder, or where pictures are asked for as files, those and the table as files too."""
     from quintrig.exchange.tables import TABLE_FORMATS, WRITERS
     from quintrig.report.shape_effect_page import page
 
-    if out.suffix.lower() == ".html":
-        return {out: page(found, table, drawn, seams)}
+    alone = out.suffix.lower() == ".html"
+    shown: dict[Path, str | bytes] = {out if alone else out / "index.html": page(found, table, drawn, seams)}
+    if alone and not any(one.files for one in drawn):
+        return shown
+    folder = out.parent / "figures" if alone else out
+    files = {folder / f"{one.name}.{form}": data for one in drawn for form, data in one.files.items()}
+    folder = out.parent / "tables" if alone else out
     tables: dict[Path, str | bytes] = {
-        out / f"{name}{suffix}": WRITERS[form](one)
+        folder / f"{name}{suffix}": WRITERS[form](one)
         for name, one in (("intensities", table), ("seams", seams))
         if one is not None
         for suffix, form in TABLE_FORMATS.items()
     }
-    return {
-        out / "index.html": page(found, table, drawn, seams),
-        **{out / one.name: one.png for one in drawn},
-        **tables,
-    }
+    return {**shown, **files, **tables}

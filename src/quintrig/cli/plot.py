@@ -1,7 +1,7 @@
 """``quintrig plot``: pictures of a model."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -24,6 +24,7 @@ _EPILOG = session.examples(
     ("quintrig plot lid.toml -q mean --view 30,20 -o h.png", "seen from azimuth 30°, elevation 20°"),
     ("quintrig plot lid.toml --lines curvature -o lines.png", "with a net of lines of curvature"),
     ("quintrig plot scan.ply -q mean -o h.png", "a scan, coloured by the curvature of its points"),
+    ("quintrig plot lid.toml -q K --animate alpha1=-4:1 -o k.gif", "a moving picture: what a shape parameter does"),
     ("quintrig plot lid.toml --view all -o lid.png", "side, back and top view"),
 )
 
@@ -38,7 +39,11 @@ def plot(
     output: Annotated[
         Path,
         typer.Option(
-            "-o", "--output", metavar="FILE", help="Picture to write: .png, .svg, .pdf or .eps.", show_default=False
+            "-o",
+            "--output",
+            metavar="FILE",
+            help="Picture to write: .png, .svg, .pdf or .eps; .gif or .mp4 with --animate.",
+            show_default=False,
         ),
     ],
     quantities: Annotated[
@@ -68,6 +73,11 @@ def plot(
         str, typer.Option(metavar="WIDTH", help="Width: inches, or such as 84mm, column or page (84 and 174 mm).")
     ] = "8",
     dpi: Annotated[int, typer.Option(min=30, max=600, help="Dots per inch of a .png.")] = 200,
+    animate: Annotated[
+        str | None,
+        typer.Option(metavar="NAME=LOW:HIGH", help="A shape parameter that runs over a range, such as alpha1=-4:1."),
+    ] = None,
+    frames: Annotated[int | None, typer.Option(metavar="N", help="Frames of an animation; 40 if not said.")] = None,
     listing: Listing = False,
     face: Face = None,
     whole: Whole = False,
@@ -95,12 +105,23 @@ def plot(
     from quintrig.figure.style import STANDARD
     from quintrig.support.files import refuse_unwritable
 
+    words = [word.strip() for word in quantities.split(",")]
+    if animate is not None:
+        if at:
+            raise ValueError("--at: marks no point of a moving surface; leave it out, or --animate")
+        look = {"view": view, "net": net, "lines": lines, "style": style or STANDARD, "width": width}
+        _film(chosen, animate, frames, output, words, look)
+        return
+    if frames is not None:
+        raise ValueError("--frames: are those of an animation; add --animate NAME=LOW:HIGH")
+    if output.suffix.lower() in (".gif", ".mp4"):
+        raise ValueError(f"{output}: expected a file name ending in .png, .svg, .pdf, .eps, or --animate for a film")
     kind_of(output)
     refuse_unwritable(output)
     pairs = [session.numbers(text, 2, "--at") for text in at or []]
     figure = draw(
         chosen,
-        [word.strip() for word in quantities.split(",")],
+        words,
         view=view,
         net=net,
         lines=_lines(lines),
@@ -120,6 +141,36 @@ def _lines(text: str) -> int | str:
     if not 0 <= count <= _MOST:
         raise ValueError(f"--lines: expected a number from 0 to {_MOST}, or a kind of lines, got {text[:20]}")
     return count
+
+
+def _film(
+    model: "Model", text: str, frames: int | None, output: Path, words: list[str], look: "dict[str, Any]"
+) -> None:
+    """Write an animation, with progress."""
+    from quintrig.figure.animate import animate
+
+    name, given, rest = (part.strip() for part in text.partition("="))
+    low = high = None
+    if given:
+        parts = rest.split(":")
+        if len(parts) != 2:
+            raise ValueError(f"--animate: expected NAME=LOW:HIGH, such as alpha1=-4:1, got {text[:60]!r}")
+        low, high = session.numbers(",".join(parts), 2, "--animate")
+    replaced = output.is_file()
+    with session.progress() as progress:
+        animate(
+            model,
+            name,
+            low,
+            high,
+            quantity=words,
+            frames=40 if frames is None else frames,
+            processes=None,
+            progress=progress,
+            save=output,
+            **look,
+        )
+    session.wrote(output, replaced)
 
 
 def _chosen(model: "Model", name: str | None, shape: str | None) -> "Model":

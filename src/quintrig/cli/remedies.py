@@ -3,13 +3,17 @@
 from quintrig.support.errors import Note, ToldError
 
 OPTIONS = {
+    "animate": "--animate",
     "axes": "--vary",
     "axis": "--vary",
     "best": "--best",
     "colours": "--colours",
     "descending": "--greatest",
+    "figures": "--figures",
     "font": "--font",
+    "frames": "--frames",
     "levels": "--levels",
+    "only": "--only",
     "limits": "--range",
     "percentiles": "--percentiles",
     "points": "--points",
@@ -36,8 +40,10 @@ REMEDIES = {
     "new": "'quintrig new swept' writes one",
     "patch": "(--patch NAME)",
     "pattern": "quintrig flatten writes flat patterns",
+    "quantities": "--list shows all",
     "replace": "choose another name, or --force to replace it",
     "sample": "add --sampling sobol or latin",
+    "surfaces": "choose one with --patch, or export a mesh of all",
     "sheet": "split it with --sheet WxH",
     "smaller sheet": "split it with a smaller --sheet WxH",
     "sobol": "take --sampling sobol",

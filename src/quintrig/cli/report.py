@@ -1,13 +1,17 @@
 """``quintrig report``: one self-contained page about a model."""
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from quintrig.cli import session
 from quintrig.cli.options import Face, ModelFile, Whole
 from quintrig.cli.scans import ScanUnit, curvature, is_scan
+from quintrig.cli.style import with_style
+
+if TYPE_CHECKING:
+    from quintrig.figure.style import Style
 
 _EPILOG = session.examples(
     ("quintrig report car_boot.toml out/car_boot", "writes the page into the folder out/car_boot"),
@@ -18,7 +22,7 @@ _EPILOG = session.examples(
 
 def register(app: typer.Typer) -> None:
     """Add the command."""
-    session.add(app, report, _EPILOG)
+    session.add(app, with_style(report), _EPILOG)
 
 
 def report(
@@ -30,6 +34,7 @@ def report(
     face: Face = None,
     whole: Whole = False,
     unit: ScanUnit = "",
+    style: "Style | None" = None,
 ) -> None:
     """Write a page on a model: figures, tables, integrals, how far the methods agree, warnings.
 
@@ -41,9 +46,10 @@ def report(
         session.done(write_scan_report(curvature(model, unit), out))
         return
     loaded = session.load_any(model, face, whole)
+    from quintrig.figure.style import STANDARD
     from quintrig.report import write_report
 
-    formats = [word.strip() for word in figures.split(",") if word.strip()]
+    formats, look = figures.split(","), style or STANDARD
     with session.progress() as progress:
-        page = write_report(loaded, out, progress=progress, figures=formats, processes=None)
+        page = write_report(loaded, out, progress=progress, figures=formats, style=look, processes=None)
     session.done(page)

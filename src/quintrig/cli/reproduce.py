@@ -1,11 +1,15 @@
 """``quintrig reproduce``: the figures and tables of the thesis, rebuilt on one page."""
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from quintrig.cli import session
+from quintrig.cli.style import with_style
+
+if TYPE_CHECKING:
+    from quintrig.figure.style import Style
 
 _EPILOG = session.examples(
     ("quintrig reproduce out/thesis", "builds every figure and table into one page"),
@@ -16,7 +20,7 @@ _EPILOG = session.examples(
 
 def register(app: typer.Typer) -> None:
     """Add the command."""
-    session.add(app, reproduce, _EPILOG)
+    session.add(app, with_style(reproduce), _EPILOG)
 
 
 def reproduce(
@@ -26,6 +30,7 @@ def reproduce(
         typer.Option("--only", metavar="NUMBER", help="Build these alone, such as 4.3 or table-4.1. Repeatable."),
     ] = None,
     inventory: Annotated[bool, typer.Option("--list", help="Print the inventory and build nothing.")] = False,
+    style: "Style | None" = None,
 ) -> None:
     """Rebuild the figures and tables of the thesis into one page to browse."""
     if out is None and not inventory:
@@ -40,5 +45,5 @@ def reproduce(
     # A process takes as long to start as a few pictures to draw.
     processes = 1 if keys is not None and len(keys) < 5 else None
     with session.progress() as progress:
-        page = thesis.write_reproduction(out, progress=progress, only=keys, processes=processes)
+        page = thesis.write_reproduction(out, progress=progress, only=keys, style=style, processes=processes)
     session.done(page)

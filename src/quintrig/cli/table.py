@@ -166,8 +166,10 @@ def _only(table: "Table", quantities: str) -> "Table":
     words = [word.strip() for word in quantities.split(",")]
     unknown = next((word for word in words if word not in known), None)
     if unknown is not None:
-        keys = ", ".join(one.key for one in rest)
-        raise ValueError(f"--quantities: expected some of {keys} for curves, found {unknown!r}")
+        from quintrig.support.errors import nearest
+
+        keys, hint = ", ".join(one.key for one in rest), nearest(unknown, [*known])
+        raise ValueError(f"--quantities: expected some of {keys} for curves, found {unknown!r}{hint}")
     return replace(table, columns=(*leading, *dict.fromkeys(known[word] for word in words)))
 
 

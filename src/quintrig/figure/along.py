@@ -76,7 +76,8 @@ def _along(
     chained = joined(curves)
     places, ends = _arc_lengths(curves, t) if chained else ([t] * len(curves), [1.0])
     finite = np.concatenate([v[np.isfinite(v)] for v in values])
-    power = exponent(float(np.abs(finite).max())) if finite.size else 0
+    largest = np.abs(finite if style.limits is None else style.limits).max(initial=0.0)
+    power = exponent(float(largest))
     notes = ["Positive where the curve turns left"] if plane and what == "curvature" else []
     if what == "torsion":
         notes.append(
@@ -104,6 +105,8 @@ def _along(
     for end in ends[:-1]:
         axes.axvline(end, color=POLYGON, linewidth=0.8, linestyle=(0, (3, 3)), zorder=2)
     axes.set_xlim(0.0, ends[-1])
+    if style.limits is not None:
+        axes.set_ylim(*style.limits)
     name = "curvature $\\kappa$" if what == "curvature" else "torsion $\\tau$"
     far = exponent(ends[-1])
     dress(

@@ -24,7 +24,7 @@ from quintrig.figure.flat import (
 from quintrig.figure.frame import equal_scale, panel_size, stacked_scale
 from quintrig.figure.legend import draw_class_list, draw_key, key_height, list_height
 from quintrig.figure.palette import SERIES
-from quintrig.figure.scene import Box, Mark, Scene, bounds, settled, share_outside
+from quintrig.figure.scene import Box, Mark, Scene, bounds, settled, share_outside, thinned
 from quintrig.figure.sheet import columns_for, sheet
 from quintrig.figure.space import draw_space
 from quintrig.figure.style import STANDARD, Style
@@ -179,12 +179,12 @@ def projections(
     """
     width = width / style.factor
     patches = several(surfaces)
-    scene = scene or Scene(isolines=7)
+    scene = thinned(scene or Scene(isolines=7), len(patches))
     fields = facet_fields(patches, key, scene.cells, thresholds)
     stretch = common_limits(fields, style)
     levels = levels_of(style, stretch)
     views = [replace(scene, view=view) for view in (SIDE, BACK, TOP)]
-    box = bounds(patches, scene)
+    box = bounds(patches, scene, style)
     columns = 3 if columns_for(width, 3, 3) == 3 else 1
     arrange, room = (equal_scale, width - 0.44) if columns == 3 else (stacked_scale, width - 0.2)
     sizes, point = arrange([view.view for view in views], *box, room, scene.frame)

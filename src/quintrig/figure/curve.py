@@ -94,6 +94,8 @@ def plane_curves(
     cloud += [curve.points for curve in curves] if polygon or hull else []
     points = np.concatenate(cloud)
     low, high = np.nanmin(points, axis=0), np.nanmax(points, axis=0)
+    if style.box is not None:
+        low, high = np.array(style.box)
     spread = np.maximum(high - low, 1e-3 * max(float(np.max(high - low)), 1e-300))
     shape = float(np.clip(spread[1] / spread[0], 0.3, 1.3))
     inner = width - 0.2 - MARGIN[0] - MARGIN[2]

@@ -135,6 +135,8 @@ def common_limits(fields: Sequence[Field], style: Style = STANDARD) -> Limits | 
         return None
     values = np.concatenate([f.values.reshape(-1) for f in fields])
     finite = values[np.isfinite(values)]
+    if fields[0].quantity.key in style.scales:
+        return style.scales[fields[0].quantity.key]
     if style.limits is not None:
         found = between(values, *style.limits)
     elif style.percentiles is not None and finite.size and np.ptp(finite) > 0.0:

@@ -18,7 +18,7 @@ from quintrig.figure.flat import draw_map, map_axes, map_fields
 from quintrig.figure.legend import draw_key, key_width
 from quintrig.figure.read_lines import traces_of
 from quintrig.figure.save import save as write
-from quintrig.figure.scene import Mark, Scene, Trace
+from quintrig.figure.scene import Mark, Scene, Trace, thinned
 from quintrig.figure.sheet import sheet
 from quintrig.figure.space import draw_space
 from quintrig.figure.space_curves import curve_traces, space_curves
@@ -129,7 +129,7 @@ def plot(
             normal=None in keys and view != "all" and len(surfaces) <= _ARROWS,
         )
         if axes is not None:
-            figure = _on_axes(axes, surfaces, keys, scene, view, page)
+            figure = _on_axes(axes, surfaces, keys, thinned(scene, len(surfaces)), view, page)
         elif view == "flat":
             figure = _flat(surfaces, keys, scene.marks, page)
         else:

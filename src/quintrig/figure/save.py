@@ -1,6 +1,7 @@
 """Figures to bytes and files: PNG, SVG, PDF and EPS, the same bytes each time from the same figure."""
 
 import io
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -8,7 +9,7 @@ import matplotlib
 from matplotlib.figure import Figure
 
 from quintrig.figure.sheet import ONE_AT_A_TIME
-from quintrig.support.errors import QuintrigError
+from quintrig.support.errors import ArgumentError, QuintrigError
 from quintrig.support.files import write_whole
 
 KINDS = ("png", "svg", "pdf", "eps")
@@ -45,6 +46,15 @@ def kind_of(path: str | Path) -> str:
         known = ", ".join(f".{kind}" for kind in KINDS)
         raise QuintrigError(f"{path}: expected a file name ending in {known}, found {found}; choose one of them")
     return suffix.removeprefix(".")
+
+
+def formats_of(words: Sequence[str]) -> tuple[str, ...]:
+    """Return the kinds of file that words such as ``png`` or ``.PDF`` name, each once; ValueError for others."""
+    found = tuple(dict.fromkeys(word.strip().lower().lstrip(".") for word in words if word.strip()))
+    for form in found:
+        if form not in KINDS:
+            raise ArgumentError(f"expected some of {', '.join(KINDS)}, found {form[:40]!r}", "figures")
+    return found
 
 
 def to_bytes(figure: Figure, kind: str, dpi: int = DPI) -> bytes:

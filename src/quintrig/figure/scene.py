@@ -1,16 +1,23 @@
 """What a picture in space shows: the view, what is drawn beside the surface, and the box that frames it."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from quintrig.figure.camera import ISO, View
 from quintrig.figure.palette import INK
+from quintrig.figure.style import STANDARD, Style
 from quintrig.geometry.domain import face_grid
 from quintrig.geometry.surface import Surface
 from quintrig.support.arrays import BoolArray, FloatArray
+from quintrig.support.errors import ArgumentError
 from quintrig.support.tolerance import NOISE
+
+MOST_SURFACES = 5000
+"""Surfaces of one picture."""
+
+_FACETS = 400_000  # in all: more than the dots of a picture
 
 Box = tuple[FloatArray, FloatArray]
 """Lower and upper corner (3,) of what is framed, length¹."""
@@ -60,6 +67,29 @@ class Scene:
     cells: int = 120
 
 
+def thinned(scene: Scene, count: int) -> Scene:
+    """Return a scene with fewer facets and lines on each of many surfaces, which are small in the picture.
+
+    Raises ValueError for so many that each is hardly a dot.
+    """
+    if count > MOST_SURFACES:
+        raise ArgumentError(
+            f"{count:,} surfaces are more than the {MOST_SURFACES:,} that a picture shows",
+            "subject",
+            remedy="choose one by its name, or export a mesh of all",
+            key="surfaces",
+        )
+    cells = _side(count, scene.cells)
+    if cells == scene.cells:
+        return scene
+    return replace(scene, cells=cells, isolines=min(scene.isolines, cells // 16), normal=False)
+
+
+def _side(count: int, usual: int) -> int:
+    """Return how many facets a side each of so many surfaces is given, an even number."""
+    return min(usual, max(4, 2 * int(0.5 * (_FACETS / max(count, 1)) ** 0.5)))
+
+
 def mesh_points(surface: Surface, cells: int) -> FloatArray:
     """Return points at the corners of cells x cells facets, shape (cells + 1, cells + 1, 3), length¹.
 
@@ -73,12 +103,14 @@ def rims(surface: Surface) -> list[FloatArray]:
     return [surface(*np.concatenate([loop, loop[:1]]).T) for loop in surface.trim]
 
 
-def bounds(surfaces: Sequence[Surface], scene: Scene) -> Box:
-    """Return the corners (3,) of the box around everything drawn.
+def bounds(surfaces: Sequence[Surface], scene: Scene, style: Style = STANDARD) -> Box:
+    """Return the corners (3,) of the box around everything drawn, or that of the style.
 
     A surface that runs off towards infinity, as a developable can, is cut: see ``share_outside``.
     """
-    clouds = [np.concatenate([*rims(surface), _on_face(surface)]) for surface in surfaces]
+    if style.box is not None:
+        return settled(*np.array(style.box))
+    clouds = [np.concatenate([*rims(surface), _on_face(surface, _side(len(surfaces), 60))]) for surface in surfaces]
     clouds = [_robust(cloud) for cloud in clouds]
     clouds += [surface.net.reshape(-1, 3) for surface in surfaces if scene.net and surface.net is not None]
     clouds += [trace.points for trace in scene.traces]
@@ -103,13 +135,13 @@ def single_point(surface: Surface) -> FloatArray | None:
 
 def share_outside(surfaces: Sequence[Surface], box: Box) -> float:
     """Return the share of the (u, v) squares, of trimmed faces within loops, that lies outside the box, 0 to 1."""
-    within = [inside(_on_face(surface), box) for surface in surfaces]
+    within = [inside(_on_face(surface, _side(len(surfaces), 60)), box) for surface in surfaces]
     return 1.0 - float(np.mean(np.concatenate(within))) if within else 0.0
 
 
-def _on_face(surface: Surface) -> FloatArray:
+def _on_face(surface: Surface, cells: int) -> FloatArray:
     """Return points (n, 3) of a surface, none of what is cut off a trimmed face."""
-    return mesh_points(surface, 60)[surface.inside(*face_grid(surface, 61, 61))]
+    return mesh_points(surface, cells)[surface.inside(*face_grid(surface, cells + 1, cells + 1))]
 
 
 def _robust(points: FloatArray) -> FloatArray:

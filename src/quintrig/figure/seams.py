@@ -7,6 +7,7 @@ from matplotlib.figure import Figure
 from quintrig.figure.camera import ISO, View
 from quintrig.figure.palette import INK
 from quintrig.figure.scene import Scene, Trace
+from quintrig.figure.style import STANDARD, Style
 from quintrig.figure.whole import space_picture
 from quintrig.geometry.surface import Surface
 from quintrig.multipatch.joins import ORDERS, Joins
@@ -35,8 +36,14 @@ def seam_traces(joins: Joins) -> tuple[Trace, ...]:
 
 
 def seam_picture(
-    surfaces: Sequence[Surface], joins: Joins, *, title: str = "", width: float = 6.4, view: View = ISO
+    surfaces: Sequence[Surface],
+    joins: Joins,
+    *,
+    title: str = "",
+    width: float = 6.4,
+    view: View = ISO,
+    style: Style = STANDARD,
 ) -> Figure:
     """Return a picture in space of all surfaces with their seams in the colours of their orders."""
     scene = Scene(view=view, traces=seam_traces(joins))
-    return space_picture(surfaces, None, scene, title=title, unit=joins.unit, width=width)
+    return space_picture(surfaces, None, scene, title=title, unit=joins.unit, width=width, style=style)

@@ -21,8 +21,8 @@ from quintrig.geometry.surface import Surface
 from quintrig.support.arrays import BoolArray, FloatArray
 
 _RIM = "#3a3a3a"
-_LEVELS = 241  # nodes a side at which contours are traced
-_ZEROS = 481  # nodes a side at which zeros are traced: where two lines cross they miss each other by half a cell
+_LEVELS = 2  # nodes of each facet's side at which contours are traced
+_ZEROS = 4  # and zeros: where two lines cross they miss each other by half a cell
 
 
 def draw_space(
@@ -108,11 +108,11 @@ def _lines_on(
     paints += [strokes(_cut(line, box), scene.view, rim, 0.9, step, lift) for line in _rims(surface, mesh, scene)]
     if scene.zeros and f is not None and f.quantity.colour == "diverging":
         dashed = f.quantity.key == "mean"
-        for line in zero_lines(traced(surface, f.quantity.key, _ZEROS)):
+        for line in zero_lines(traced(surface, f.quantity.key, _ZEROS * scene.cells + 1)):
             path = _cut(surface(line[:, 0], line[:, 1]), box)
             paints.append(strokes(path, scene.view, INK, 1.1, step, lift, dashed))
     if levels and f is not None:
-        fine = traced(surface, f.quantity.key, _LEVELS)
+        fine = traced(surface, f.quantity.key, _LEVELS * scene.cells + 1)
         for line in (line for level in levels for line in level_lines(fine, level)):
             paints.append(strokes(_cut(surface(line[:, 0], line[:, 1]), box), scene.view, INK, 0.5, step, lift))
     if scene.regression:

@@ -1,8 +1,9 @@
 """How figures look: texts, fonts, sizes, colours and levels, asked for by the one who publishes them."""
 
+import math
 import re
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import Any
 
@@ -11,6 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.font_manager import get_font_names
 from matplotlib.text import Text
 
+from quintrig.figure.palette import Limits
 from quintrig.support.errors import ArgumentError, nearest
 
 POINTS = 7.5
@@ -29,7 +31,8 @@ class Style:
     ``title`` and ``caption`` say whether titles and the note below are drawn. ``font`` is a family, empty for the usual
     one; ``size`` that of numbers in points. ``limits`` are the ends of colour scales, or ``percentiles`` of the values
     to stretch them between; ``colours`` names a matplotlib colour map for quantities that are numbers. ``levels`` are
-    contour lines: how many, or at which values.
+    contour lines: how many, or at which values. Pictures that follow each other have ``scales``, by the key of a
+    quantity, and a ``box``, two corners, in common.
     """
 
     title: bool = True
@@ -40,12 +43,14 @@ class Style:
     percentiles: tuple[float, float] | None = None
     colours: str = ""
     levels: int | tuple[float, ...] = 0
+    scales: Mapping[str, Limits] = field(default_factory=dict[str, Limits])
+    box: tuple[tuple[float, ...], tuple[float, ...]] | None = None
 
     def __post_init__(self) -> None:
         """Check once, at birth; ValueError in one line."""
-        if self.limits is not None and not self.limits[0] < self.limits[1]:
+        if self.limits is not None and not -math.inf < self.limits[0] < self.limits[1] < math.inf:
             raise ArgumentError(
-                f"expected two rising numbers, found {self.limits[0]:g} and {self.limits[1]:g}", "limits"
+                f"expected two rising finite numbers, found {self.limits[0]:g} and {self.limits[1]:g}", "limits"
             )
         if self.percentiles is not None and not 0.0 <= self.percentiles[0] < self.percentiles[1] <= 100.0:
             low, high = self.percentiles
@@ -55,13 +60,15 @@ class Style:
         if not 4.0 <= self.size <= 24.0:
             raise ArgumentError(f"expected 4 to 24 points, found {self.size:g}", "size")
         if self.colours and self.colours not in matplotlib.colormaps:
-            known = nearest(self.colours, matplotlib.colormaps)
+            known = nearest(self.colours, matplotlib.colormaps) or "; such as viridis, cividis, magma or coolwarm"
             raise ArgumentError(f"no colour map of matplotlib is called {self.colours!r}{known}", "colours")
         if isinstance(self.levels, int):
             if not 0 <= self.levels <= 100:
                 raise ArgumentError(f"expected 0 to 100 lines, found {self.levels}", "levels")
-        elif any(not a < b for a, b in pairwise(self.levels)):
-            raise ArgumentError(f"expected rising values, found {', '.join(f'{x:g}' for x in self.levels)}", "levels")
+        elif any(not a < b for a, b in pairwise((-math.inf, *self.levels, math.inf))):
+            raise ArgumentError(
+                f"expected rising finite values, found {', '.join(f'{x:g}' for x in self.levels)}", "levels"
+            )
 
     @property
     def factor(self) -> float:

@@ -9,7 +9,7 @@ from quintrig.figure.field import common_limits, facet_fields, levels_of
 from quintrig.figure.flat import draw_map, lines_note, map_axes, map_fields, zero_sets
 from quintrig.figure.frame import panel_size
 from quintrig.figure.legend import draw_class_list, draw_key, key_height, key_width
-from quintrig.figure.scene import Mark, Scene, bounds, share_outside
+from quintrig.figure.scene import Mark, Scene, bounds, share_outside, thinned
 from quintrig.figure.sheet import KeyPlace, columns_for, sheet
 from quintrig.figure.space import draw_space
 from quintrig.figure.style import STANDARD, Style
@@ -37,14 +37,14 @@ def space_picture(
     """
     width = width / style.factor
     patches = several(surfaces)
-    scene = scene or Scene(normal=key is None)
+    scene = thinned(scene or Scene(normal=key is None), len(patches))
     fields = facet_fields(patches, key, scene.cells, thresholds)
     stretch = common_limits(fields, style)
     levels = levels_of(style, stretch)
     named = [trace for trace in scene.traces if trace.label]
     place: KeyPlace = "right" if fields else "below" if named else "none"
     key_size = 0.4 if place == "below" else key_width(fields)
-    box = bounds(patches, scene)
+    box = bounds(patches, scene, style)
     panel = panel_size(scene.view, *box, width - 0.2 - (key_size if place == "right" else 0.0), scene.frame)
     text = note(patches, fields, unit, thresholds, share_outside(patches, box), zeros=scene.zeros)
     text = ". ".join(part for part in (text, remark) if part)
@@ -111,9 +111,9 @@ def panels(
     """
     width = width / style.factor
     patches = several(surfaces)
-    scene = scene or Scene(normal=None in keys)
+    scene = thinned(scene or Scene(normal=None in keys), len(patches))
     columns = columns_for(width, len(keys), columns)
-    box = bounds(patches, scene)
+    box = bounds(patches, scene, style)
     panel = panel_size(scene.view, *box, (width - 0.2 - 0.12 * (columns - 1)) / columns, scene.frame)
     every = [facet_fields(patches, key, scene.cells, thresholds) for key in keys]
     drawn = [f for fields in every for f in fields]

@@ -122,6 +122,17 @@ class Model(Handed):
         old = self.patch(patch.name)
         return replace(self, patches=tuple(patch if one is old else one for one in self.patches))._carried()
 
+    def replace(self, *parts: Patch | NamedCurve) -> "Model":
+        """Return the model with the patches and curves of these names replaced; ModelError where it has none such."""
+        changed = self
+        for part in parts:
+            if isinstance(part, Patch):
+                changed = changed.with_patch(part)
+            else:
+                old = changed.curve(part.name)
+                changed = replace(changed, curves=tuple(part if one is old else one for one in changed.curves))
+        return changed
+
     def _carried(self) -> "Model":
         """Return the model with every side that is held moved to what it is held to."""
         return call("hold", self) if self.held else self

@@ -81,6 +81,14 @@ class Patch:
         sizes = {name: value for name, value in values.items() if name not in names}
         return self._with(**sizes, **({"shape": shape} if set(values) & set(names) else {}))
 
+    def replace(self, **keys: Any) -> "Patch":
+        """Return a copy with some keys of its kind replaced, such as ``points``, ``shape`` or its ``name``.
+
+        Raises ModelError where they do not fit, or the kind has none such.
+        """
+        name = str(keys.pop("name", self.name))
+        return patch_of({**self.definition.model_dump(), **_listed(keys)}, name, None)
+
     def rebuilt(self, **keys: Any) -> "Patch":
         """Return a patch of this name built from the keys of a model file; ModelError where they do not fit."""
         return patch_of(keys, self.name, None)
@@ -119,6 +127,11 @@ class NamedCurve:
             raise ModelError(f'patch "{self.name}": a curve in this basis has no shape parameters to vary')
         return curve_of({**self.definition.model_dump(), "shape": list(shape)}, self.name, None)
 
+    def replace(self, **keys: Any) -> "NamedCurve":
+        """Return a copy with some keys replaced, such as ``points``, ``shape`` or its ``name``; ModelError as above."""
+        name = str(keys.pop("name", self.name))
+        return curve_of({**self.definition.model_dump(), **_listed(keys)}, name, None)
+
     def with_parameters(self, values: Mapping[str, float]) -> "NamedCurve":
         """Return the same curve with some shape parameters replaced, by name; ModelError where it has none such."""
         known = self.definition.acting
@@ -127,6 +140,11 @@ class NamedCurve:
                 has = f"it has {', '.join(known)}" if known else "it has none"
                 raise ModelError(f'patch "{self.name}": a curve has no parameter {name!r}; {has}')
         return self.with_shape([values.get(name, value) for name, value in known.items()])
+
+
+def _listed(keys: Mapping[str, Any]) -> dict[str, Any]:
+    """Return keys with NumPy's arrays as lists, as a file would have them."""
+    return {name: value.tolist() if hasattr(value, "tolist") else value for name, value in keys.items()}
 
 
 def curve_of(keys: dict[str, Any], name: str, folder: Path | None) -> NamedCurve:

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from quintrig.quantities.classify import HK_TYPES, INVARIANT_TYPES, POINT_TYPES, SHAPE_CLASSES
-from quintrig.support.errors import nearest
+from quintrig.support.errors import ArgumentError, nearest
 
 Parity = Literal["even", "odd", "swap", "mirror"]
 """What turning the normal does: nothing, a new sign, exchange with ``partner`` (κ1 ↔ -κ2), the mirrored class."""
@@ -279,9 +279,19 @@ def quantity(name: str) -> Quantity:
     symbol = _spelled(name)
     found = BY_KEY.get(name) or _BY_SYMBOL.get(symbol) or BY_KEY.get(name.lower()) or _BY_SYMBOL.get(symbol.upper())
     if found is None:
-        hint = nearest(name, [*BY_KEY, *(q.symbol for q in QUANTITIES)]) or f"; such as {', '.join([*BY_KEY][:6])}"
-        raise ValueError(f"unknown quantity {name!r}{hint}")
+        raise ArgumentError(
+            f"unknown quantity {name[:40]!r}{_near(name, symbol)}",
+            remedy="quintrig.quantities.table.QUANTITIES has all",
+            key="quantities",
+        )
     return found
+
+
+def _near(name: str, symbol: str) -> str:
+    """Return a hint: what is spelt most alike, else symbols of the same letter, else some that are often asked for."""
+    alike = [q.symbol for spelt, q in _BY_SYMBOL.items() if spelt[:1] == symbol[:1] and len(symbol) <= len(spelt) + 1]
+    usual = f"; such as {', '.join([*dict.fromkeys(alike)][:4] or ['K', 'H', 'κ1', 'κ2', 'S', 'C'])}"
+    return nearest(name, [*BY_KEY, *(q.symbol for q in QUANTITIES)]) or usual
 
 
 def mirrored(key: str, code: int) -> int:

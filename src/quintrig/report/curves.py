@@ -12,6 +12,7 @@ from quintrig.analysis.curve_table import tabulate_curve
 from quintrig.analysis.table import Table
 from quintrig.basis.formulas import Basis
 from quintrig.figure import curvature_plot, plane_curves, space_curves, torsion_plot
+from quintrig.figure.style import STANDARD, Style
 from quintrig.model.model import Model
 from quintrig.model.patch import NamedCurve
 from quintrig.report import kinds
@@ -44,8 +45,10 @@ def picture_count(model: Model) -> int:
     return 4 * len(model.curves) + (len(model.curves) > 1)
 
 
-def curve_chapters(model: Model, step: Callable[[str], None]) -> tuple[CurveChapter, ...]:
-    """Return what the page says of each curve; ``step`` is told what is drawn."""
+def curve_chapters(
+    model: Model, step: Callable[[str], None], formats: Sequence[str] = (), style: Style = STANDARD
+) -> tuple[CurveChapter, ...]:
+    """Return what the page says of each curve, pictures as files of ``formats`` too; ``step`` is told what is drawn."""
     chapters: list[CurveChapter] = []
     for index, one in enumerate(model.curves, 1):
         found = summarise_curve(one.curve)
@@ -56,20 +59,22 @@ def curve_chapters(model: Model, step: Callable[[str], None]) -> tuple[CurveChap
         images: list[tuple[str, Image]] = []
         for title, picture in _pictures([one], model.unit):
             step(f"{one.name}: picture {picture.name}")
-            images.append((title, render(picture)))
+            images.append((title, render(picture, formats, style)))
         told = (*facts[:2], *more, *facts[2:])
         formula = kinds.formula(one)
         chapters.append(CurveChapter(one, told, found.cautions, formula, table, tuple(images), f"curve-{index}"))
     return tuple(chapters)
 
 
-def together(model: Model, step: Callable[[str], None]) -> tuple[tuple[str, Image], ...]:
+def together(
+    model: Model, step: Callable[[str], None], formats: Sequence[str] = (), style: Style = STANDARD
+) -> tuple[tuple[str, Image], ...]:
     """Return pictures of several curves at once: all of them, and their curvature; none of a single one."""
     if len(model.curves) < 2:
         return ()
     step("all curves")
     shown = _pictures(model.curves, model.unit)
-    return tuple((title, render(picture)) for title, picture in (shown[0], shown[2]))
+    return tuple((title, render(picture, formats, style)) for title, picture in (shown[0], shown[2]))
 
 
 def bases_of(curves: Sequence[NamedCurve]) -> tuple[Basis, ...]:

@@ -4,6 +4,7 @@ from matplotlib.figure import Figure
 
 from quintrig.figure import Mark, Scene, space_picture
 from quintrig.figure.read_lines import traces_of
+from quintrig.figure.style import STANDARD, Style
 from quintrig.interrogation.find import lines
 from quintrig.interrogation.umbilics import umbilics
 from quintrig.model.patch import Patch
@@ -13,13 +14,13 @@ _SPACING = 1.0 / 7.0  # of the size
 _TOLD = 6  # umbilics by name
 
 
-def lines_picture(patch: Patch, unit: str, width: float) -> Figure:
+def lines_picture(patch: Patch, unit: str, width: float, style: Style = STANDARD) -> Figure:
     """Return the surface with a net of lines of curvature and its umbilics."""
     surface = patch.surface
     traces = traces_of(surface, lines(surface, "curvature", spacing=_SPACING * surface.size)) if surface.size else ()
     found = umbilics(patch).umbilics
     marks = tuple(Mark(one.u, one.v, f"{one.type} {k + 1}") for k, one in enumerate(found[:_TOLD]))
-    return space_picture(surface, None, Scene(traces=traces, marks=marks), unit=unit, width=width)
+    return space_picture(surface, None, Scene(traces=traces, marks=marks), unit=unit, width=width, style=style)
 
 
 def umbilic_words(facts: Facts) -> str:

@@ -26,6 +26,7 @@ from quintrig.figure import (
 )
 from quintrig.figure.field import field as field_of
 from quintrig.figure.field import zero_lines
+from quintrig.figure.style import STANDARD, Style
 from quintrig.model.model import Model
 from quintrig.model.patch import Patch
 from quintrig.multipatch.joins import Joins
@@ -67,31 +68,34 @@ _ZEROS = {"gaussian": " On the line between them K = 0.", "mean": " On the dashe
 
 @dataclass(frozen=True)
 class Picture:
-    """A picture to be drawn: ``name`` for the template, what it shows in words, and the function that draws it."""
+    """A picture to be drawn: ``name`` for the template, what it shows in words, and what draws it in a style."""
 
     name: str
     alt: str
-    draw: Callable[[], Figure]
+    draw: Callable[..., Figure]
 
 
 @dataclass(frozen=True)
 class Image:
-    """A drawn picture, inlined: data URI, alternative text, size in CSS pixels; and as ``files``, by format."""
+    """A drawn picture, inlined: data URI, alternative text, size in CSS pixels; ``files`` of a ``name``, by format."""
 
     source: str
     alt: str
     width: int
     height: int
     files: Mapping[str, bytes] = field(default_factory=dict[str, bytes])
+    name: str = ""
 
 
-def render(picture: Picture, formats: Sequence[str] = ()) -> Image:
+def render(picture: Picture, formats: Sequence[str] = (), style: Style = STANDARD) -> Image:
     """Draw a picture into the page, and as files of these formats."""
-    figure = picture.draw()
+    figure = picture.draw(style=style)
     width, height = (float(x) for x in figure.get_size_inches())
     data = base64.b64encode(to_png_bytes(figure, _DPI)).decode("ascii")
     files = {form: to_bytes(figure, form, _FILE_DPI) for form in formats}
-    return Image(f"data:image/png;base64,{data}", picture.alt, round(96 * width), round(96 * height), files)
+    return Image(
+        f"data:image/png;base64,{data}", picture.alt, round(96 * width), round(96 * height), files, picture.name
+    )
 
 
 def overview(model: Model, joins: Joins) -> Iterator[Picture]:

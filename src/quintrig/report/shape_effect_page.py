@@ -1,11 +1,12 @@
 """The comparison of shape parameters in pictures, and as one self-contained page."""
 
 import base64
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
 from importlib.resources import files
 
 from jinja2 import Environment, StrictUndefined
+from matplotlib.figure import Figure
 
 from quintrig import __version__
 from quintrig.analysis.table import Table
@@ -19,9 +20,10 @@ from quintrig.figure import (
     map_comparison,
     plane_curves,
     space_curves,
-    to_png_bytes,
+    to_bytes,
     torsion_plot,
 )
+from quintrig.figure.style import STANDARD, Style
 from quintrig.quantities.table import quantity
 from quintrig.shaping.curve_effect import CurveVariant
 from quintrig.shaping.shape_effect import Variant
@@ -31,11 +33,12 @@ _DPI = 150
 
 @dataclass(frozen=True)
 class Picture:
-    """A picture as PNG, with the name of its file and its title."""
+    """A picture as PNG, with the name of its file, its title, and as ``files``, by format."""
 
     name: str
     title: str
     png: bytes
+    files: Mapping[str, bytes] = field(default_factory=dict[str, bytes])
 
     @property
     def source(self) -> str:
@@ -49,10 +52,13 @@ def pictures(
     view: View = ISO,
     name: str = "",
     progress: Callable[[str, int, int], None] | None = None,
+    formats: Sequence[str] = (),
+    style: Style = STANDARD,
 ) -> tuple[Picture, ...]:
     """Return the plain surfaces side by side, then each quantity in space and as a map, each on one scale.
 
-    ``progress`` is told what is drawn, how many are done and how many there are.
+    They are files of ``formats`` too, all in one ``style``. ``progress`` is told what is drawn, how many are
+    done and how many there are.
     """
     surfaces = [one.patch.surface for one in found]
     labels = [one.label for one in found]
@@ -65,16 +71,21 @@ def pictures(
         if progress:
             progress(f"{title}{', map' if flat else ''}", len(drawn), len(wanted))
         if flat and key is not None:
-            figure = map_comparison(surfaces, labels, key, title=title, unit=unit)
+            figure = map_comparison(surfaces, labels, key, title=title, unit=unit, style=style)
         else:
             scene = Scene(view=view, isolines=7 if key is None else 0)
-            figure = comparison(surfaces, labels, key, scene, title=title, unit=unit)
-        file = f"{key or 'surface'}{'_map' if flat else ''}.png"
-        drawn.append(Picture(file, title, to_png_bytes(figure, _DPI)))
+            figure = comparison(surfaces, labels, key, scene, title=title, unit=unit, style=style)
+        drawn.append(_picture(f"{key or 'surface'}{'_map' if flat else ''}", title, figure, formats))
     return tuple(drawn)
 
 
-def curve_pictures(found: Sequence[CurveVariant], unit: str = "", name: str = "") -> tuple[Picture, ...]:
+def curve_pictures(
+    found: Sequence[CurveVariant],
+    unit: str = "",
+    name: str = "",
+    formats: Sequence[str] = (),
+    style: Style = STANDARD,
+) -> tuple[Picture, ...]:
     """Return the curves in their control polygon, then curvature, and torsion in space, each in one picture."""
     curves, labels = [one.curve.curve for one in found], [one.label for one in found]
     plane = found[0].summary.plane
@@ -85,9 +96,14 @@ def curve_pictures(found: Sequence[CurveVariant], unit: str = "", name: str = ""
         ("curvature", curvature_plot),
         *([] if plane else [("torsion", torsion_plot)]),
     ):
-        figure = draw(curves, labels, title=f"{start}{what}", unit=unit, width=6.4)
-        drawn.append(Picture(f"{what}.png", f"{start}{what}", to_png_bytes(figure, _DPI)))
+        figure = draw(curves, labels, title=f"{start}{what}", unit=unit, width=6.4, style=style)
+        drawn.append(_picture(what, f"{start}{what}", figure, formats))
     return tuple(drawn)
+
+
+def _picture(name: str, title: str, figure: Figure, formats: Sequence[str]) -> Picture:
+    png = to_bytes(figure, "png", _DPI)
+    return Picture(name, title, png, {form: png if form == "png" else to_bytes(figure, form) for form in formats})
 
 
 def page(

@@ -1,6 +1,6 @@
 """The report on a model, written as one HTML file."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future
 from dataclasses import dataclass
 from itertools import count
@@ -11,8 +11,10 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 from quintrig import __version__
+from quintrig.analysis.table import Table
 from quintrig.exchange.tables import TABLE_FORMATS, WRITERS
-from quintrig.figure.save import kind_of
+from quintrig.figure.save import formats_of
+from quintrig.figure.style import STANDARD, Style
 from quintrig.model.model import Model
 from quintrig.model.toml import to_toml
 from quintrig.multipatch.joins import Joins
@@ -57,6 +59,7 @@ def write_report(
     grid: int = 129,
     thresholds: Thresholds | None = None,
     figures: Sequence[str] = (),
+    style: Style = STANDARD,
     processes: int | None = 1,
 ) -> Path:
     """Write a self-contained page on a model and return its path.
@@ -64,11 +67,11 @@ def write_report(
     That is ``out/index.html``, or ``out`` itself where it ends in .html.
     ``grid`` points a side are classified, compared and searched for extremes. ``figures`` are the formats, such as pdf,
     in which every picture is a file beside the page too, with the tables of labelled points as CSV and LaTeX;
-    ``processes`` draw at once. The page is written whole or not at all;
+    ``style`` is how all of them look, and ``processes`` draw at once. The page is written whole or not at all;
     QuintrigError where it cannot be written, ValueError for fewer than 2 points.
     """
     target = _target(out)
-    formats = tuple(kind_of(Path(f"x.{form.lower().lstrip('.')}")) for form in figures)
+    formats = formats_of(figures)
     source = to_toml(model.to_dict())  # before all the work where it cannot be written
     thresholds = thresholds or Thresholds()
     detailed = len(model.patches) <= DETAILED
@@ -79,8 +82,11 @@ def write_report(
     total += sum(known.steps(patch, detailed) + picture_count(patch, detailed) for patch in model.patches)
     step = _steps(progress, total)
     if not model.patches:
-        along, every = curves.curve_chapters(model, step), curves.together(model, step)
+        along = curves.curve_chapters(model, step, formats, style)
+        every = curves.together(model, step, formats, style)
         step("writing the page")
+        if formats:
+            _write_beside(target.parent, *_along(along, every))
         return write_whole(target, _curve_page(model, source, along, every))
     drawn: list[tuple[str, dict[str, Future[Image]]]] = []
     facts: list[Facts] = []
@@ -90,10 +96,10 @@ def write_report(
                 name = f"{patch.name}: " if several else ""
                 found = known.gather(patch, model.unit, thresholds, grid, detailed, lambda what, n=name: step(n + what))
                 facts.append(found)
-                waiting = {one.name: workers.submit(render, one, formats) for one in pictures(found, detailed)}
+                waiting = {one.name: workers.submit(render, one, formats, style) for one in pictures(found, detailed)}
                 drawn.append((f"patch-{index + 1}", waiting))
             seams = overview(model, joins) if joins is not None else ()
-            drawn.append(("together", {one.name: workers.submit(render, one, formats) for one in seams}))
+            drawn.append(("together", {one.name: workers.submit(render, one, formats, style) for one in seams}))
             images: list[dict[str, Image]] = []
             for _, waiting in drawn:
                 images.append({})
@@ -102,29 +108,42 @@ def write_report(
                     images[-1][what] = future.result()
         finally:
             workers.shutdown(wait=False, cancel_futures=True)
-    along = curves.curve_chapters(model, step)
+    along = curves.curve_chapters(model, step, formats, style)
     chapters = [
         Chapter(found, shown, anchor, detailed)
         for found, shown, (anchor, _) in zip(facts, images[:-1], drawn[:-1], strict=True)
     ]
     step("writing the page")
     if formats:
-        _write_beside(target.parent, chapters, images[-1])
+        many = len(chapters) > 1
+        shown = {one.anchor if many else "": tuple(one.images.values()) for one in chapters}
+        points = {one.anchor if many else "": one.facts.points for one in chapters}
+        _write_beside(target.parent, shown | {"together": tuple(images[-1].values())}, points)
+        _write_beside(target.parent, *_along(along, ()))
     return write_whole(target, _page(model, source, chapters, images[-1], joins, grid, thresholds, along))
 
 
-def _write_beside(folder: Path, chapters: list[Chapter], together: dict[str, Image]) -> None:
-    """Write every picture, and the table of the labelled points of every patch, as files into ``folder``."""
-    several = len(chapters) > 1
-    for anchor, shown in [*((one.anchor, one.images) for one in chapters), ("together", together)]:
-        start = f"{anchor}-" if several else ""
-        for name, image in shown.items():
+def _along(
+    along: Sequence[curves.CurveChapter], every: Sequence[tuple[str, Image]]
+) -> tuple[dict[str, tuple[Image, ...]], dict[str, Table]]:
+    """Return the pictures and the table of every curve by its anchor, and the pictures of all together."""
+    shown = {one.anchor: tuple(image for _, image in one.images) for one in along}
+    return shown | {"together": tuple(image for _, image in every)}, {one.anchor: one.table for one in along}
+
+
+def _write_beside(folder: Path, images: Mapping[str, Sequence[Image]], points: Mapping[str, Table]) -> None:
+    """Write pictures and tables of points as files into ``folder``, their names begun by the part that they show."""
+    for part, shown in images.items():
+        for image in shown:
             for form, data in image.files.items():
-                write_whole(folder / "figures" / f"{start}{name}.{form}", data)
-    for chapter in chapters:
-        start = f"{chapter.anchor}-" if several else ""
+                write_whole(folder / "figures" / f"{_file(part, image.name)}.{form}", data)
+    for part, table in points.items():
         for suffix, form in TABLE_FORMATS.items():
-            write_whole(folder / "tables" / f"{start}points{suffix}", WRITERS[form](chapter.facts.points))
+            write_whole(folder / "tables" / f"{_file(part, 'points')}{suffix}", WRITERS[form](table))
+
+
+def _file(part: str, name: str) -> str:
+    return f"{part}-{name}" if part else name
 
 
 def _steps(progress: Progress | None, total: int) -> Callable[[str], None]:

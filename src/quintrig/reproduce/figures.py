@@ -23,6 +23,7 @@ from quintrig.figure import (
     space_picture,
 )
 from quintrig.figure.palette import SERIES
+from quintrig.figure.style import STANDARD, Style
 from quintrig.geometry.curve import Curve
 from quintrig.geometry.surface import Surface
 from quintrig.model.kinds.constructions import Ruled, Swept, Swung
@@ -35,22 +36,22 @@ _SAMPLES = np.linspace(0.0, 1.0, 201)
 _PLAIN = Scene(isolines=7)
 
 
-def draw(item: Item) -> tuple[Figure, ...]:
+def draw(item: Item, style: Style = STANDARD) -> tuple[Figure, ...]:
     """Return the figures of an item: one, or one for each of its parts where they do not share a picture."""
-    return tuple(_DRAWERS[item.draw](item))
+    return tuple(_DRAWERS[item.draw](item, style))
 
 
-def _basis(item: Item) -> list[Figure]:
+def _basis(item: Item, style: Style) -> list[Figure]:
     bases = [Trigonometric(alpha, zeta) for alpha, zeta in item.shapes]
-    return [basis_functions(bases, [f"α = {basis.alpha:g}, ζ = {basis.zeta:g}" for basis in bases])]
+    return [basis_functions(bases, [f"α = {basis.alpha:g}, ζ = {basis.zeta:g}" for basis in bases], style=style)]
 
 
-def _hull(item: Item) -> list[Figure]:
-    return [plane_curves(*_family(item.shapes), hull=True)]
+def _hull(item: Item, style: Style) -> list[Figure]:
+    return [plane_curves(*_family(item.shapes), hull=True, style=style)]
 
 
-def _families(item: Item) -> list[Figure]:
-    return [plane_curves(*_family(shapes)) for shapes in item.shapes]
+def _families(item: Item, style: Style) -> list[Figure]:
+    return [plane_curves(*_family(shapes), style=style) for shapes in item.shapes]
 
 
 def _family(shapes: Sequence[tuple[float, float]]) -> tuple[list[Curve], list[str]]:
@@ -58,28 +59,31 @@ def _family(shapes: Sequence[tuple[float, float]]) -> tuple[list[Curve], list[st
     return curves, [f"α = {curve.alpha:g}, ζ = {curve.zeta:g}" for curve in curves]
 
 
-def _overlays(item: Item) -> list[Figure]:
+def _overlays(item: Item, style: Style) -> list[Figure]:
     patch = _patch(item)
     return [
         overlay(
-            [patch.with_shape(shape).surface for shape in shapes], [_spell(shape) for shape in shapes], Scene(net=True)
+            [patch.with_shape(shape).surface for shape in shapes],
+            [_spell(shape) for shape in shapes],
+            Scene(net=True),
+            style=style,
         )
         for shapes in item.shapes
     ]
 
 
-def _hk_types(_: Item) -> list[Figure]:
-    return [hk_table()]
+def _hk_types(_: Item, style: Style) -> list[Figure]:
+    return [style.finish(hk_table(6.4 / style.factor))]
 
 
-def _shape_index(_: Item) -> list[Figure]:
-    return [shape_scale()]
+def _shape_index(_: Item, style: Style) -> list[Figure]:
+    return [style.finish(shape_scale(9.0 / style.factor))]
 
 
-def _construction(item: Item) -> list[Figure]:
+def _construction(item: Item, style: Style) -> list[Figure]:
     patch = _patch(item)
     scene = Scene(isolines=9, traces=tuple(_generators(patch)), normal=False)
-    return [space_picture(patch.surface, None, scene, unit=model(item.models[0]).unit)]
+    return [space_picture(patch.surface, None, scene, unit=model(item.models[0]).unit, style=style)]
 
 
 def _generators(patch: Patch) -> list[Trace]:
@@ -109,35 +113,42 @@ def _generators(patch: Patch) -> list[Trace]:
     return traces
 
 
-def _pair(item: Item) -> list[Figure]:
-    return [space_picture(model(name).surface, None, _PLAIN, unit=model(name).unit, width=4.6) for name in item.models]
+def _pair(item: Item, style: Style) -> list[Figure]:
+    return [
+        space_picture(model(name).surface, None, _PLAIN, unit=model(name).unit, width=4.6, style=style)
+        for name in item.models
+    ]
 
 
-def _marked(item: Item) -> list[Figure]:
+def _marked(item: Item, style: Style) -> list[Figure]:
     marks = tuple(Mark(u, v, label) for label, (u, v) in labelled_points().items())
-    return [space_picture(_patch(item).surface, None, replace(_PLAIN, marks=marks), unit=model(item.models[0]).unit)]
+    return [
+        space_picture(
+            _patch(item).surface, None, replace(_PLAIN, marks=marks), unit=model(item.models[0]).unit, style=style
+        )
+    ]
 
 
-def _triptych(item: Item) -> list[Figure]:
-    return [panels(_shaped(item), unit=model(item.models[0]).unit, scene=_PLAIN)]
+def _triptych(item: Item, style: Style) -> list[Figure]:
+    return [panels(_shaped(item), unit=model(item.models[0]).unit, scene=_PLAIN, style=style)]
 
 
-def _side_triptych(item: Item) -> list[Figure]:
-    return [panels(_shaped(item), unit=model(item.models[0]).unit, scene=replace(_PLAIN, view=SIDE))]
+def _side_triptych(item: Item, style: Style) -> list[Figure]:
+    return [panels(_shaped(item), unit=model(item.models[0]).unit, scene=replace(_PLAIN, view=SIDE), style=style)]
 
 
-def _projections(item: Item) -> list[Figure]:
-    return [projections(_shaped(item), unit=model(item.models[0]).unit)]
+def _projections(item: Item, style: Style) -> list[Figure]:
+    return [projections(_shaped(item), unit=model(item.models[0]).unit, style=style)]
 
 
-def _scales(item: Item) -> list[Figure]:
+def _scales(item: Item, style: Style) -> list[Figure]:
     surfaces = [_patch(item).with_parameters({"scale": scale}).surface for scale in item.scales]
-    return [comparison(surfaces, item.parts, None, _PLAIN, unit=model(item.models[0]).unit)]
+    return [comparison(surfaces, item.parts, None, _PLAIN, unit=model(item.models[0]).unit, style=style)]
 
 
-def _gallery(item: Item) -> list[Figure]:
+def _gallery(item: Item, style: Style) -> list[Figure]:
     patches = [_patch(item).with_shape(shape) for shape in item.shapes]
-    return [comparison([patch.surface for patch in patches], item.parts, None, replace(_PLAIN, net=True))]
+    return [comparison([patch.surface for patch in patches], item.parts, None, replace(_PLAIN, net=True), style=style)]
 
 
 def _shaped(item: Item) -> Surface:
@@ -152,7 +163,7 @@ def _spell(shape: Sequence[float]) -> str:
     return "(" + ", ".join(f"{value:g}" for value in shape) + ")"
 
 
-_DRAWERS: dict[str, Callable[[Item], list[Figure]]] = {
+_DRAWERS: dict[str, Callable[[Item, Style], list[Figure]]] = {
     "basis": _basis,
     "hull": _hull,
     "families": _families,

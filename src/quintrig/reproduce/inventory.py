@@ -7,7 +7,7 @@ from importlib.resources import files
 from typing import Any, cast
 
 from quintrig.model.model import Model
-from quintrig.support.errors import nearest
+from quintrig.support.errors import ArgumentError, nearest
 from quintrig.support.parsing import parse
 
 
@@ -76,9 +76,12 @@ def chosen(numbers: Sequence[str]) -> frozenset[str]:
         keys = {item.key for item in inventory() if word in (item.number.casefold(), item.key.casefold())}
         if not keys:
             every = list(dict.fromkeys(item.number for item in inventory()))
-            raise ValueError(
-                f"--only: expected the number of a figure or table, such as 4.3 or table-4.1, found {text!r}"
-                f"{nearest(text, every)}; quintrig reproduce --list shows all"
+            raise ArgumentError(
+                f"expected the number of a figure or table, such as 4.3 or table-4.1, found {text!r}"
+                f"{nearest(text, every)}",
+                "only",
+                remedy="quintrig.reproduce.inventory() has all",
+                key="quantities",
             )
         found |= keys
     return frozenset(found)

@@ -13,6 +13,7 @@ from PIL import Image, ImageChops
 
 from quintrig import __version__
 from quintrig.figure import to_bytes
+from quintrig.figure.style import STANDARD, Style
 from quintrig.quantities.classify import Thresholds
 from quintrig.report.wording import prose
 from quintrig.reproduce.figures import draw
@@ -42,13 +43,18 @@ class Built:
 
 
 def write_reproduction(
-    out: Path, *, progress: Progress | None = None, only: frozenset[str] | None = None, processes: int | None = 1
+    out: Path,
+    *,
+    progress: Progress | None = None,
+    only: frozenset[str] | None = None,
+    style: Style | None = None,
+    processes: int | None = 1,
 ) -> Path:
     """Build every figure and table into the folder ``out`` and return the page's path.
 
-    ``only`` limits it to some items, by key such as ``figure-4.3``; ``processes`` draw at once. An existing
-    reproduction is replaced when the new one is complete. Raises QuintrigError where ``out`` holds other files or
-    cannot be written.
+    ``only`` limits it to some items, by key such as ``figure-4.3``; ``style`` is how pictures look, and ``processes``
+    draw at once. An existing reproduction is replaced when the new one is complete. Raises QuintrigError where ``out``
+    holds other files or cannot be written.
     """
     if out.exists() and (not out.is_dir() or (any(out.iterdir()) and not (out / "inventory.toml").exists())):
         raise QuintrigError(f"{out}: expected a new or empty folder, or an earlier reproduction; choose another")
@@ -61,7 +67,7 @@ def write_reproduction(
         raise QuintrigError(f"{out}: cannot be written ({error.strerror or error}); choose another place") from None
     try:
         fresh = place / "new"
-        _write_all(fresh, items, progress, processes)
+        _write_all(fresh, items, progress, style or STANDARD, processes)
         fresh.chmod(0o755)
         if out.exists():
             out.rename(place / "old")
@@ -73,10 +79,10 @@ def write_reproduction(
     return out / "index.html"
 
 
-def _write_all(folder: Path, items: list[Item], progress: Progress | None, processes: int | None) -> None:
+def _write_all(folder: Path, items: list[Item], progress: Progress | None, style: Style, processes: int | None) -> None:
     built: dict[str, Built] = {}
     with pool(processes) as workers:
-        waiting = [workers.submit(_build, item, folder) for item in items]
+        waiting = [workers.submit(_build, item, folder, style) for item in items]
         try:
             for future in as_completed(waiting):
                 result = future.result()
@@ -94,11 +100,11 @@ def _write_all(folder: Path, items: list[Item], progress: Progress | None, proce
     write_whole(folder / "index.html", _page([built[item.key] for item in items], names))
 
 
-def _build(item: Item, folder: Path) -> Built:
+def _build(item: Item, folder: Path, style: Style) -> Built:
     """Draw or tabulate one item and write its files."""
     if item.kind == "figure":
         pictures: list[str] = []
-        figures = draw(item)
+        figures = draw(item, style)
         for index, figure in enumerate(figures):
             letter = "abcdefgh"[index] if len(figures) > 1 else ""
             name = f"{item.key}{letter}"

@@ -1,0 +1,67 @@
+"""Small things for notebooks: copies with other values, integrals and extremes of curves, samples as tables."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import quintrig
+
+BOOT = quintrig.load(Path(__file__).parents[1] / "examples" / "car_boot.toml")
+POINTS = np.array([[0.0, 0], [1, 4], [3, -3], [5, 4], [7, -3], [8, 1]])
+
+
+def test_a_patch_is_copied_with_other_values():
+    patch = BOOT.patch()
+    other = patch.replace(section=2.0 * np.array(patch.definition.section), shape=(0, 0, 0, 0), name="twin")
+    assert (other.name, other.kind, other.shape) == ("twin", "swept", (0.0, 0.0, 0.0, 0.0))
+    assert other.definition.trajectory == patch.definition.trajectory
+    assert patch.shape == BOOT.patch().shape != other.shape
+    changed = BOOT.replace(patch.replace(shape=(0, 0, 0, 0)))
+    assert changed.patch().shape == (0.0, 0.0, 0.0, 0.0)
+    with pytest.raises(quintrig.ModelError, match="did you mean 'section'"):
+        patch.replace(secton=[])
+    with pytest.raises(quintrig.ModelError, match="no patch 'twin'"):
+        BOOT.replace(other)
+
+
+def test_a_curve_is_copied_with_other_values():
+    model = quintrig.Model.from_dict({"kind": "curve", "points": POINTS, "shape": [0.5, -1]})
+    moved = model.replace(model.curve().replace(points=POINTS + 1.0))
+    np.testing.assert_allclose(moved.curve().curve(0.3), model.curve().curve(0.3) + 1.0, rtol=1e-12)
+    assert moved.curve().shape == (0.5, -1.0)
+
+
+def test_integrals_and_extremes_of_a_quarter_of_a_circle():
+    """In the cubic basis these points give a circle of radius 1 exactly (Han 2004)."""
+    arc = quintrig.Curve(np.array([[1, 0], [1, 0.5], [0.5, 1], [0, 1.0]]), 0, 0, basis="cubic")
+    found = quintrig.integrals(arc)
+    assert found.length == pytest.approx(np.pi / 2, rel=1e-9)
+    assert found.bending_energy == pytest.approx(np.pi / 2, rel=1e-9)
+    assert quintrig.find_extremes(arc)["curvature"].maximum.value == pytest.approx(1.0, rel=1e-9)
+
+
+def test_extremes_of_a_curve_bound_it():
+    curve = quintrig.Curve(POINTS)
+    found = quintrig.find_extremes(curve, "κ")["curvature"]
+    values = curve.signed_curvature(np.linspace(0.0, 1.0, 4001))
+    assert found.minimum.value <= values.min() + 1e-9
+    assert found.maximum.value >= values.max() - 1e-9
+    np.testing.assert_allclose(curve.signed_curvature(found.maximum.t), found.maximum.value)
+    with pytest.raises(ValueError, match="this curve has curvature"):
+        quintrig.find_extremes(curve, "torsion")
+
+
+def test_surfaces_are_measured_as_before():
+    ball = quintrig.sphere(2.0)
+    assert quintrig.integrals(ball).area.value == pytest.approx(16.0 * np.pi, rel=1e-9)
+    assert quintrig.find_extremes(ball, "K")["gaussian"].minimum.value == pytest.approx(0.25)
+
+
+def test_a_notebook_shows_a_sample_as_a_small_table():
+    text = quintrig.analyse(BOOT.surface, *quintrig.grid(20, 30), ["point", "K", "hk_type"])._repr_html_()
+    assert text.count("<tr>") == 9
+    assert text.count("<th>") == 5
+    assert "saddle" in text
+    assert "20 x 30 points" in text
+    assert quintrig.analyse(BOOT.surface, 0.5, 0.5)._repr_html_().count("<tr>") == 2
