@@ -86,7 +86,7 @@ def _tell(done: "Design") -> None:
         session.emit(
             f"{what}: contradict each other; this is the best compromise"
             if several
-            else f"{what}: cannot be met within what may vary and what is held; this is the nearest to it"
+            else f"{what}: no design was found that meets it; this is the nearest (more --starts may come nearer)"
         )
     name = {"none": "change"}.get(done.minimised, done.minimised.replace("_", "-"))
     session.emit(f"{name}: {done.before:.6g} to {done.after:.6g}")
