@@ -215,7 +215,7 @@ def test_the_log_of_a_large_grid_is_short(tmp_path):
     ("arguments", "said"),
     [
         (("lid.csv",), "ending in .zarr or .parquet"),
-        (("lid.zarr", "--size", "1x5"), "expected 2 or more points"),
+        (("lid.zarr", "--size", "1x5"), "expected 2 or more"),
         (("lid.zarr", "--size", "many"), "--size: expected two counts"),
         (("lid.zarr", "-q", "gausian"), "did you mean 'gaussian'"),
         (("lid.zarr", "-q", ""), "unknown quantity"),
