@@ -103,7 +103,7 @@ if __name__ == "__main__":
     for table in keys["patch"]:
         for key in ("points", "first", "second"):
             if key in table:
-                table[key] = np.round(table[key], 6).tolist()
+                table[key] = (np.round(table[key], 6) + 0.0).tolist()  # no -0.0
     path = HERE.parent / "examples" / "body.toml"
     path.unlink(missing_ok=True)
     quintrig.save(Model.from_dict(keys), path)
