@@ -17,7 +17,7 @@ from quintrig.support.arrays import FloatArray
 GRID = 65
 """Points each way at which demands on all of a surface are looked at."""
 
-MARGIN = 1e-5
+MARGIN = 1e-6
 """By so much of what is natural for a patch of its size demands are to be met at the points that the search sees."""
 
 _NODES = 24  # of Gauss on a span: integrals of a design need no more than the search does

@@ -23,7 +23,7 @@ _FARTHEST = 6.0  # of one call in each direction: curvature is far from linear
 _RANGES = 6  # times that ends of ranges are added to what SLSQP sees
 _ENOUGH = 1e-8  # of the objective, scaled
 _BAD = 1e6  # in place of what is not finite
-_OFF = 3.0 * MARGIN
+_OFF = 10.0 * MARGIN
 """What is missed by more than this, scaled, is not met."""
 
 
