@@ -12,6 +12,7 @@ from quintrig.shaping.conditions import InTotal, OnSurface, integral, on_surface
 from quintrig.shaping.demands import demands
 from quintrig.shaping.places import Passing, TangentPlane, Twist, near
 from quintrig.shaping.unknowns import Range, unknowns
+from quintrig.support.errors import QuintrigError
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 
@@ -164,20 +165,6 @@ def test_a_target_is_met():
     assert found.after < 0.01 < found.before
 
 
-def test_a_ruled_patch_is_made_developable_within_an_angle():
-    model = example("ruled")
-    size = model.surface.size
-    goals = {"model": model, "vary": {"points": 0.3 * size, "hold": ["v0"]}, "developable": 2.0}
-    found = quintrig.design(goals, starts=1)
-    assert found.met
-    assert found.outcomes[0].worst <= 2.002
-    u = np.linspace(0, 1, 101)
-    ends = [found.model.surface.partials(u, np.full_like(u, v), 1) for v in (0.0, 1.0)]
-    a, b = (np.cross(p[1, 0], p[0, 1]) for p in ends)
-    sine = np.linalg.norm(np.cross(a, b), axis=-1) / np.linalg.norm(a, axis=-1) / np.linalg.norm(b, axis=-1)
-    assert np.degrees(np.arcsin(sine)).max() <= 2.003
-
-
 def test_a_stopped_search_keeps_the_best_and_goes_on(tmp_path):
     state = tmp_path / "state.json"
     goals = {"model": cylinder(), "minimise": "area", "vary": {"radius": [1.0, 20.0]},
@@ -227,7 +214,7 @@ def test_a_stopped_search_keeps_the_best_and_goes_on(tmp_path):
 def test_a_mistake_in_goals_is_one_line(change, words):
     goals = {"model": cylinder(), "minimise": "area", "vary": {"radius": [1.0, 20.0]},
              "demands": ["gaussian >= 0"]} | change  # fmt: skip
-    with pytest.raises(ValueError, match=words) as told:
+    with pytest.raises((ValueError, QuintrigError), match=words) as told:
         quintrig.design(goals)
     assert "\n" not in str(told.value)
 
