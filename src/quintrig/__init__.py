@@ -67,6 +67,15 @@ if TYPE_CHECKING:
     from quintrig.interrogation.find import lines as lines
     from quintrig.interrogation.line import Line as Line
     from quintrig.interrogation.line import Lines as Lines
+    from quintrig.interrogation.named import asymptotic_lines as asymptotic_lines
+    from quintrig.interrogation.named import curvature_lines as curvature_lines
+    from quintrig.interrogation.named import geodesic as geodesic
+    from quintrig.interrogation.named import isophotes as isophotes
+    from quintrig.interrogation.named import parabolic_lines as parabolic_lines
+    from quintrig.interrogation.named import reflection_lines as reflection_lines
+    from quintrig.interrogation.named import ridges as ridges
+    from quintrig.interrogation.named import section as section
+    from quintrig.interrogation.named import silhouettes as silhouettes
     from quintrig.interrogation.umbilics import Umbilics as Umbilics
     from quintrig.interrogation.umbilics import umbilics as umbilics
     from quintrig.model.model import Model as Model
@@ -118,6 +127,17 @@ _HOME = {
     "exchange.lines": ("write_lines",),
     "interrogation.find": ("lines",),
     "interrogation.line": ("Line", "Lines"),
+    "interrogation.named": (
+        "asymptotic_lines",
+        "curvature_lines",
+        "geodesic",
+        "isophotes",
+        "parabolic_lines",
+        "reflection_lines",
+        "ridges",
+        "section",
+        "silhouettes",
+    ),
     "interrogation.umbilics": ("Umbilics", "umbilics"),
     "exchange.scans": ("read_scan",),
     "scan.curvature": ("ScanCurvature", "scan_curvature"),
