@@ -75,6 +75,16 @@ def test_the_last_frame_is_the_picture_of_the_last_value():
         assert frame in other.frames
 
 
+@pytest.mark.parametrize("words", [(), ("--lines", "parabolic")])
+def test_the_command_writes_a_film(words, tmp_path):
+    film = tmp_path / "k.gif"
+    told = command(
+        "plot", EXAMPLES / "car_boot.toml", "-q", "K", "--animate", "zeta2=0:1", "--frames", "2", *words, "-o", film
+    )
+    assert told.code == 0, told.err
+    assert Image.open(film).n_frames == 2
+
+
 MISTAKES = {
     "alpha1=1:-4": "--animate alpha1=1:-4: the range does not rise; write alpha1=-4:1",
     "alpha1=1:1": "give two different ends",

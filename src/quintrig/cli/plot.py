@@ -109,7 +109,7 @@ def plot(
     if animate is not None:
         if at:
             raise ValueError("--at: marks no point of a moving surface; leave it out, or --animate")
-        look = {"view": view, "net": net, "lines": lines, "style": style or STANDARD, "width": width}
+        look = {"view": view, "net": net, "lines": _lines(lines), "style": style or STANDARD, "width": width}
         _film(chosen, animate, frames, output, words, look)
         return
     if frames is not None:
