@@ -22,6 +22,14 @@ def ball(tmp_path):
     return path
 
 
+@pytest.mark.parametrize("claim", ["-0.1 <= mean <= 0.1", "-.1 < mean", "-1 <= gaussian"])
+def test_a_claim_may_begin_with_a_negative_number(claim, ball):
+    done = cli("prove", ball, claim, "--json")
+    assert done.code == 0, done.err
+    found = json.loads(done.out)
+    assert (found["verdict"], found["claim"]) == ("proved", claim)
+
+
 def test_one_claim_is_one_object_and_several_are_a_list(ball):
     done = cli("prove", ball, "gaussian > 0", "--json")
     assert done.code == 0

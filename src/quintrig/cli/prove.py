@@ -1,10 +1,12 @@
 """``quintrig prove``: claims on all of a surface, proved, refuted or left open."""
 
 import json
+import re
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
+from typer.core import TyperCommand
 
 from quintrig.cli import session
 from quintrig.cli.ending import FOUND
@@ -16,6 +18,7 @@ if TYPE_CHECKING:
     from quintrig.enclosures.verdicts import Verdict
 
 _COLOURS = {"proved": "green", "refuted": "red", "undecided": "yellow"}
+_NEGATIVE = re.compile(r"-\s*[\d.].*[<>=]")
 _MANY = 8  # proofs take a fraction of a second each: fewer need no bar
 _EPILOG = session.examples(
     ("quintrig prove lid.toml regular 'gaussian > 0'", "on all of the surface, not only at samples"),
@@ -28,7 +31,15 @@ _EPILOG = session.examples(
 
 def register(app: typer.Typer) -> None:
     """Add the command."""
-    session.add(app, prove, _EPILOG)
+    session.add(app, prove, _EPILOG, cls=_Prove)
+
+
+class _Prove(TyperCommand):
+    """Takes claims that begin with a negative number for claims, not for options."""
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        """Set a blank before such claims, which nothing else of the command can be."""
+        return super().parse_args(ctx, [f" {text}" if _NEGATIVE.match(text) else text for text in args])
 
 
 def prove(
@@ -56,6 +67,7 @@ def prove(
     """
     from quintrig.analysis import proofs
 
+    claims = [claim.strip() for claim in claims]
     loaded = session.only(session.load(model, face, whole), patch)
     if len(loaded.patches) * len(claims) > _MANY:
         with session.progress() as progress:

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import typer
+from typer.core import TyperCommand
 
 from quintrig.cli.ending import MISTAKE, say
 from quintrig.cli.remedies import worded
@@ -194,10 +195,16 @@ def counts(
     return found
 
 
-def add(app: typer.Typer, command: Callable[..., None], epilog: str, name: str | None = None) -> None:
+def add(
+    app: typer.Typer,
+    command: Callable[..., None],
+    epilog: str,
+    name: str | None = None,
+    cls: type[TyperCommand] | None = None,
+) -> None:
     """Add a command, its docstring as help with every paragraph on a line of its own, to wrap at the screen's width."""
     paragraphs = [" ".join(part.split()) for part in (command.__doc__ or "").split("\n\n")]
-    app.command(name, help="\n\n".join(paragraphs), epilog=epilog)(command)
+    app.command(name, cls=cls, help="\n\n".join(paragraphs), epilog=epilog)(command)
 
 
 def examples(*pairs: tuple[str, str]) -> str:
