@@ -76,7 +76,7 @@ if TYPE_CHECKING:
     from quintrig.interrogation.named import ridges as ridges
     from quintrig.interrogation.named import section as section
     from quintrig.interrogation.named import silhouettes as silhouettes
-    from quintrig.interrogation.umbilics import Umbilics as Umbilics
+    from quintrig.interrogation.umbilic import Umbilics as Umbilics
     from quintrig.interrogation.umbilics import umbilics as umbilics
     from quintrig.model.model import Model as Model
     from quintrig.model.model import load as load
@@ -92,10 +92,9 @@ if TYPE_CHECKING:
     from quintrig.scan.scan import Scan as Scan
     from quintrig.shaping.design import Design as Design
     from quintrig.shaping.design import design as design
-    from quintrig.shaping.fair import Fairing as Fairing
     from quintrig.shaping.fair import fair as fair
-    from quintrig.shaping.fair_curve import CurveFairing as CurveFairing
     from quintrig.shaping.fair_curve import fair_curve as fair_curve
+    from quintrig.shaping.fairing import Fairing as Fairing
     from quintrig.shaping.fit import fit as fit
     from quintrig.shaping.fitting.result import Fit as Fit
     from quintrig.shaping.strip import Strip as Strip
@@ -138,7 +137,8 @@ _HOME = {
         "section",
         "silhouettes",
     ),
-    "interrogation.umbilics": ("Umbilics", "umbilics"),
+    "interrogation.umbilic": ("Umbilics",),
+    "interrogation.umbilics": ("umbilics",),
     "exchange.scans": ("read_scan",),
     "scan.curvature": ("ScanCurvature", "scan_curvature"),
     "scan.deviation": ("Deviation", "deviation"),
@@ -174,8 +174,9 @@ _HOME = {
     "figure.style": ("Style",),
     "geometry.domain": ("grid",),
     "shaping.design": ("Design", "design"),
-    "shaping.fair": ("Fairing", "fair"),
-    "shaping.fair_curve": ("CurveFairing", "fair_curve"),
+    "shaping.fair": ("fair",),
+    "shaping.fair_curve": ("fair_curve",),
+    "shaping.fairing": ("Fairing",),
     "shaping.strip": ("Strip", "strip"),
     "geometry.surface": ("Surface",),
 }

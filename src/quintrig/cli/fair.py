@@ -11,8 +11,7 @@ from quintrig.cli.options import Force, WhichPatch
 
 if TYPE_CHECKING:
     from quintrig.model.model import Model
-    from quintrig.shaping.fair import Fairing
-    from quintrig.shaping.fair_curve import CurveFairing
+    from quintrig.shaping.fairing import Fairing
 
 _EPILOG = session.examples(
     ("quintrig fair lid.toml -o fairer.toml", "moves the net, all four sides held"),
@@ -102,11 +101,11 @@ def fair(
         _draw(loaded, done, picture)
 
 
-def _tell(done: "Fairing | CurveFairing") -> None:
+def _tell(done: "Fairing") -> None:
     unit = done.model.unit
     for name in ("thin_plate", "bending", "variation"):
         mark = " (asked for)" if name == done.energy else ""
-        power = f" {unit}²" if unit and name != "bending" else f" 1/{unit}" if unit and done.model.curves else ""
+        power = f" {unit}²" if unit and name != "bending" else f" 1/{unit}" if unit and done.of_curve else ""
         session.emit(f"{name.replace('_', '-')}: {done.before[name]:.6g} to {done.after[name]:.6g}{power}{mark}\n")
     session.emit(f"largest deviation: {done.deviation:.4g}{' ' + unit if unit else ''}\n")
     if done.held:
@@ -115,12 +114,11 @@ def _tell(done: "Fairing | CurveFairing") -> None:
         session.remark(note)
 
 
-def _draw(before: "Model", done: "Fairing | CurveFairing", path: Path) -> None:
+def _draw(before: "Model", done: "Fairing", path: Path) -> None:
     """Draw the patch before and after, on one scale."""
     from quintrig.figure import Scene, comparison, save
 
-    name = getattr(done, "patch", None)
-    surfaces = [one.patch(name).surface for one in (before, done.model)]
+    surfaces = [one.patch(done.part).surface for one in (before, done.model)]
     figure = comparison(
         surfaces, ["before", "after"], "curvedness", Scene(), unit=done.model.unit, columns=2, width=10.0
     )

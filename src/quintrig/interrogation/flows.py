@@ -1,5 +1,6 @@
 """What is integrated along lines: fields of directions without a sense, and geodesics."""
 
+from abc import ABC, abstractmethod
 from typing import Protocol
 
 import numpy as np
@@ -45,12 +46,12 @@ def _inside(state: FloatArray) -> FloatArray:
     return np.clip(np.nan_to_num(state[:, :2], nan=0.5), 0.0, 1.0)
 
 
-class _Directions:
+class _Directions(ABC):
     """A field of directions at an angle from e1: ``angles`` says which."""
 
+    @abstractmethod
     def angles(self, local: Forms, mode: Modes) -> FloatArray:
         """Return the angle of each family from e1, radians."""
-        raise NotImplementedError
 
     def begin(self, surface: Surface, uv: FloatArray, aim: FloatArray) -> FloatArray:
         """Return the parameters themselves."""

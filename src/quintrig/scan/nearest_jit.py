@@ -209,14 +209,7 @@ def nearest(
             if aways[top] > upper * upper:
                 continue
             if node < leaves:
-                one, other = 2 * node, 2 * node + 1
-                first_gap, second_gap = box_distance(boxes, one, p), box_distance(boxes, other, p)
-                if first_gap < second_gap:
-                    one, other = other, one
-                    first_gap, second_gap = second_gap, first_gap
-                stack[top], aways[top] = one, first_gap
-                stack[top + 1], aways[top + 1] = other, second_gap
-                top += 2
+                top = opened(boxes, node, p, stack, aways, top)
                 continue
             first = (node - leaves) * leaf
             for m in range(first, first + leaf):
@@ -285,6 +278,19 @@ def box_distance(boxes: FloatArray, node: int, p: FloatArray) -> float:
 
 
 @array_loop
+def opened(boxes: FloatArray, node: int, p: FloatArray, stack: Ints, aways: FloatArray, top: int) -> int:
+    """Put both halves of a node on the stack, the nearer one above, and return the new height of the stack."""
+    one, other = 2 * node, 2 * node + 1
+    first_gap, second_gap = box_distance(boxes, one, p), box_distance(boxes, other, p)
+    if first_gap < second_gap:
+        one, other = other, one
+        first_gap, second_gap = second_gap, first_gap
+    stack[top], aways[top] = one, first_gap
+    stack[top + 1], aways[top + 1] = other, second_gap
+    return top + 2
+
+
+@array_loop
 def to_triangle(corners: FloatArray, m: int, p: FloatArray) -> tuple[float, float, float]:
     """Return the distance of a point from a triangle, and the shares of its second and third corner (Ericson 2005)."""
     d1 = d2 = d3 = d4 = d5 = d6 = 0.0
@@ -341,14 +347,7 @@ def nearest_triangle(
             if aways[top] > best * best:
                 continue
             if node < leaves:
-                one, other = 2 * node, 2 * node + 1
-                first_gap, second_gap = box_distance(boxes, one, p), box_distance(boxes, other, p)
-                if first_gap < second_gap:
-                    one, other = other, one
-                    first_gap, second_gap = second_gap, first_gap
-                stack[top], aways[top] = one, first_gap
-                stack[top + 1], aways[top + 1] = other, second_gap
-                top += 2
+                top = opened(boxes, node, p, stack, aways, top)
                 continue
             for m in range((node - leaves) * leaf, (node - leaves + 1) * leaf):
                 away, s, t = to_triangle(corners, m, p)

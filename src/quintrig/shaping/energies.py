@@ -20,7 +20,7 @@ from quintrig.support.errors import nearest
 ENERGIES = ("thin_plate", "bending", "variation")
 """The names of the energies."""
 
-_ORDER = {"thin_plate": 2, "variation": 3}
+ORDER = {"thin_plate": 2, "variation": 3}
 _NODES = 16
 """Of Gauss on a span: squares of the quintic functions, trigonometric of order 10, are integrated to rounding."""
 
@@ -39,7 +39,7 @@ def measured(surface: Surface, name: str) -> float:
     """Return an energy of any surface by Gauss's nodes; not finite where it has no tangent plane and bends."""
     name = known(name)
     (u, wu), (v, wv) = (nodes(surface.breaks(axis), _NODES_OF_BENDING) for axis in (0, 1))
-    order = _ORDER.get(name, 2)
+    order = ORDER.get(name, 2)
     partials = surface.local_partials(u[:, None], v, order)
     weights = wu[:, None] * wv
     if name != "bending":
@@ -98,7 +98,7 @@ def energy(name: str, of: Affine) -> Energy:
     if name == "bending":
         (u, wu), (v, wv) = (nodes(of.breaks(axis), _NODES_OF_BENDING) for axis in (0, 1))
         return Bending(of, of.functions(0, u, 2), of.functions(1, v, 2), wu[:, None] * wv)
-    return quadratic(of, _ORDER[name])
+    return quadratic(of, ORDER[name])
 
 
 def quadratic(of: Affine, order: int) -> Quadratic:

@@ -5,7 +5,6 @@ smallest λ whose surface stays within the allowed deviation is taken. A step is
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from importlib import import_module
 from typing import Any, Literal
 
@@ -16,6 +15,7 @@ from quintrig.model.model import Model
 from quintrig.model.patch import Patch
 from quintrig.shaping.derivatives import Affine, affine
 from quintrig.shaping.energies import ENERGIES, Energy, Quadratic, energy, known, measured, quadratic
+from quintrig.shaping.fairing import BETWEEN, Fairing, fairest_near
 from quintrig.shaping.holds import Hold, free_directions, held_at, hold, usual
 from quintrig.support.arrays import FloatArray
 from quintrig.support.errors import ModelError
@@ -23,42 +23,7 @@ from quintrig.support.errors import ModelError
 Vary = Literal["net", "shape", "both"]
 
 _ROUNDS = 4  # of net and shape in turn
-_WEIGHTS = (1e-12, 1e6)  # of the distance, relative to the energy's own scale
-_BETWEEN = 0.999  # of the deviation allowed is used: what may be more between the points that are looked at
 _SAME = 1e-9  # of a side's size: a shape parameter that moves it by less leaves it
-
-
-@dataclass(frozen=True, eq=False)
-class Fairing:
-    """The model with a fairer patch, and what that took.
-
-    ``before`` and ``after`` are all energies by name: ``thin_plate`` and ``variation`` in length², ``bending`` a pure
-    number. ``deviation`` is the largest distance that a point of the patch moved at its (u, v), length¹, at 129 x 129
-    points: no point of one surface is farther from the other. ``held`` names what was held.
-    """
-
-    model: Model
-    patch: str
-    energy: str
-    before: dict[str, float]
-    after: dict[str, float]
-    deviation: float
-    held: tuple[str, ...]
-    notes: tuple[str, ...] = ()
-
-    def to_dict(self) -> dict[str, Any]:
-        """Return plain values, without the model."""
-        return {
-            "patch": self.patch,
-            "unit": self.model.unit,
-            "energy": self.energy,
-            "before": self.before,
-            "after": self.after,
-            "deviation": self.deviation,
-            "held": list(self.held),
-            "shape": list(self.model.patch(self.patch).shape),
-            "notes": list(self.notes),
-        }
 
 
 def fair(
@@ -118,7 +83,7 @@ def _fairest(
     """Return the fairest patch, and what to tell."""
 
     def near(patch: Patch) -> bool:
-        return within is None or deviation(first, patch) <= _BETWEEN * within
+        return within is None or deviation(first, patch) <= BETWEEN * within
 
     if vary != "shape":
         _ = affine(first)  # refuses what has no net
@@ -167,13 +132,8 @@ def _by_net(
     target = affine(first).values
     least = _value(start, name)
     step = _path(what, mass, of, directions, target)
-    low, high = np.log10(_WEIGHTS)
-    found = of.rebuilt(step(10.0**low))
-    if not near(found):
-        for _ in range(16 if isinstance(what, Quadratic) else 10):
-            middle = 0.5 * (low + high)
-            tried = of.rebuilt(step(10.0**middle))
-            found, low, high = (tried, low, middle) if near(tried) else (found, middle, high)
+    rounds = 16 if isinstance(what, Quadratic) else 10
+    found = fairest_near(lambda weight: of.rebuilt(step(weight)), near, rounds)
     if not (near(found) and _value(found, name) < least):
         return start, ("nothing fairer is within what is held and allowed",)
     return found, ()

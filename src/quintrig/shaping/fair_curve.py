@@ -1,7 +1,7 @@
 """``fair`` of a curve: the smoothest curve near a given one, by its control points."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from importlib import import_module
 from typing import Any
 
@@ -9,44 +9,11 @@ import numpy as np
 
 from quintrig.model.model import Model
 from quintrig.model.patch import NamedCurve, curve_of
-from quintrig.shaping.energies import ENERGIES, known, nodes
+from quintrig.shaping.energies import ENERGIES, ORDER, known, nodes
+from quintrig.shaping.fairing import BETWEEN, Fairing, fairest_near
 from quintrig.shaping.holds import ORDERS
 from quintrig.support.arrays import FloatArray
 from quintrig.support.errors import ModelError
-
-_ORDER = {"thin_plate": 2, "variation": 3}
-_BETWEEN = 0.999  # of the deviation allowed is used
-
-
-@dataclass(frozen=True, eq=False)
-class CurveFairing:
-    """The model with a fairer curve, and what that took.
-
-    ``before`` and ``after`` are all energies by name: ``thin_plate`` ∫|z''|² dt and ``variation`` ∫|z'''|² dt in
-    length², ``bending`` ∫κ² ds in length⁻¹. ``deviation`` is the largest distance that a point moved at its t, length¹.
-    """
-
-    model: Model
-    curve: str
-    energy: str
-    before: dict[str, float]
-    after: dict[str, float]
-    deviation: float
-    held: tuple[str, ...]
-    notes: tuple[str, ...] = ()
-
-    def to_dict(self) -> dict[str, Any]:
-        """Return plain values, without the model."""
-        return {
-            "curve": self.curve,
-            "unit": self.model.unit,
-            "energy": self.energy,
-            "before": self.before,
-            "after": self.after,
-            "deviation": self.deviation,
-            "held": list(self.held),
-            "notes": list(self.notes),
-        }
 
 
 def fair_curve(
@@ -56,7 +23,7 @@ def fair_curve(
     energy: str = "thin_plate",
     hold: Sequence[str] | None = None,
     within: float | None = None,
-) -> CurveFairing:
+) -> Fairing:
     """Return the model with one curve made fairer by its control points: least ``energy`` with what is held held.
 
     ``hold`` lists parameters that stay, to an order: ``"0"``, ``"1:G2"``, ``"0.5"``; both ends to G1 if left out.
@@ -88,21 +55,19 @@ def fair_curve(
         return float(np.linalg.norm(fine @ (moved - points), axis=1).max())
 
     step = (_bent if name == "bending" else _plain)(name, functions, weights, free, mass, points)
-    low, high = -12.0, 6.0
-    found = step(10.0**low)
-    if within is not None and far(found) > _BETWEEN * within:
-        for _ in range(16):
-            middle = 0.5 * (low + high)
-            tried = step(10.0**middle)
-            found, low, high = (tried, low, middle) if far(tried) <= _BETWEEN * within else (found, middle, high)
+
+    def near(moved: FloatArray) -> bool:
+        return within is None or far(moved) <= BETWEEN * within
+
+    found = fairest_near(step, near, 16)
     before = _energies(points, functions, weights)
     after = _energies(found, functions, weights)
     notes: tuple[str, ...] = ()
-    if (within is not None and far(found) > within) or not after[name] < before[name]:
+    if not (near(found) and after[name] < before[name]):
         found, after, notes = points, before, ("nothing fairer is within what is held and allowed",)
     changed = _with_points(named, found)
     curves = tuple(changed if one is named else one for one in model.curves)
-    return CurveFairing(replace(model, curves=curves), named.name, name, before, after, far(found), texts, notes)
+    return Fairing(replace(model, curves=curves), named.name, name, before, after, far(found), texts, notes)
 
 
 def _with_points(named: NamedCurve, points: FloatArray) -> NamedCurve:
@@ -124,7 +89,7 @@ def _held(text: str) -> tuple[float, int]:
 
 
 def _energies(points: FloatArray, functions: FloatArray, weights: FloatArray) -> dict[str, float]:
-    found = {key: float(weights @ ((functions[k] @ points) ** 2).sum(axis=1)) for key, k in _ORDER.items()}
+    found = {key: float(weights @ ((functions[k] @ points) ** 2).sum(axis=1)) for key, k in ORDER.items()}
     return {key: found.get(key, _bending(points, functions, weights)[0]) for key in ENERGIES}
 
 
@@ -145,7 +110,7 @@ def _plain(
     name: str, functions: FloatArray, weights: FloatArray, free: FloatArray, mass: FloatArray, points: FloatArray
 ) -> Callable[[float], FloatArray]:
     """Return the minimum of a quadratic energy + λ distance², by λ relative to the scales of both."""
-    part = functions[_ORDER[name]]
+    part = functions[ORDER[name]]
     form = np.einsum("t,ti,tj->ij", weights, part, part)
     own = free.T @ form @ free
     scale = float(np.trace(own) / np.trace(mass))

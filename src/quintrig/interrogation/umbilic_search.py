@@ -1,0 +1,135 @@
+"""Where umbilics are: seeds on a grid, Newton's iteration from them, and curves of them followed."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from quintrig.geometry.surface import Surface
+from quintrig.interrogation.local import Local
+from quintrig.interrogation.rotation import wrapped
+from quintrig.support.arrays import FloatArray
+
+_STEPS = 60
+_MET = 1e-8  # of the scale: what is left of the spread of κ1 and κ2 at an umbilic
+_POLE = 1e-6  # of the square of the size: |S_u × S_v| at which a point counts as a pole
+_ONE = 1e-6  # of the size: umbilics this near are one
+
+
+def seeds_of(
+    u: FloatArray, v: FloatArray, a: FloatArray, b: FloatArray, scale: FloatArray, inside: np.ndarray[Any, Any]
+) -> list[FloatArray]:
+    """Return where to begin: cells around which the vector turns, and where its length is least among neighbours."""
+    angle = np.arctan2(b, a)
+    ring = [angle[:-1, :-1], angle[1:, :-1], angle[1:, 1:], angle[:-1, 1:]]
+    turn = sum(wrapped(ring[(k + 1) % 4] - ring[k]) for k in range(4))
+    near = inside[:-1, :-1] | inside[1:, :-1] | inside[1:, 1:] | inside[:-1, 1:]
+    found = [
+        np.array([0.5 * (u[i] + u[i + 1]), 0.5 * (v[j] + v[j + 1])])
+        for i, j in np.argwhere((np.abs(turn) > 1.0) & near).tolist()
+    ]
+    share = np.pad(np.where(np.isfinite(a), np.hypot(a, b) / scale, np.inf), 1, constant_values=np.inf)
+    middle: FloatArray = share[1:-1, 1:-1]
+    least = np.isfinite(middle) & (middle < 0.3) & inside
+    for di in (-1, 0, 1):
+        for dj in (-1, 0, 1):
+            if di or dj:
+                least &= middle <= share[1 + di : share.shape[0] - 1 + di, 1 + dj : share.shape[1] - 1 + dj]
+    order = sorted(np.argwhere(least).tolist(), key=lambda place: middle[place[0], place[1]])
+    return found + [np.array([u[i], v[j]]) for i, j in order[:200]]
+
+
+def umbilics_near(surface: Surface, seeds: FloatArray, typical: float) -> list[FloatArray]:
+    """Return the umbilics (2,) near seeds (n, 2) that lie on the face and not at a pole; NaN (2,) where none is met."""
+    uv = seeds.copy()
+    best, least = uv.copy(), np.full(len(uv), np.inf)
+    for _ in range(_STEPS):
+        with np.errstate(divide="ignore", invalid="ignore"):
+            local = Local.at(surface, *uv.T, order=3)
+            value = np.stack(local.half, axis=-1)
+            size = np.hypot(*value.T)
+            better = size < least
+            best, least = np.where(better[:, None], uv, best), np.where(better, size, least)
+            matrix = _derivative(local)
+            usable = np.isfinite(matrix).all(axis=(1, 2)) & np.isfinite(size)
+            u, s, vt = np.linalg.svd(np.where(usable[:, None, None], matrix, 0.0))
+            inverse = np.where(s > 1e-7 * s[:, :1], 1.0 / s, 0.0)
+            step = -np.einsum("nji,nj,nkj,nk->ni", vt, inverse, u.transpose(0, 2, 1), value)
+            p, q, r = local.frame
+            move = np.stack([p * step[:, 0] + q * step[:, 1], r * step[:, 1]], axis=1)
+            reach = np.abs(move).max(axis=1)
+            move *= np.where(reach > 0.05, 0.05 / reach, 1.0)[:, None]
+        going = np.asarray(np.isfinite(move).all(axis=1)) & np.asarray(size > 1e-15 * typical)
+        move = np.where(going[:, None], move, 0.0)
+        moved = np.clip(uv + move, 0.0, 1.0)
+        if np.abs(moved - uv).max(initial=0.0) <= 1e-16:
+            break
+        uv = moved
+    with np.errstate(divide="ignore", invalid="ignore"):
+        local = Local.at(surface, *best.T)
+        met = least <= _MET * np.maximum(np.abs(local.mean) + 1.0 / surface.size, typical)
+        met &= (local.area > _POLE * surface.size**2) & surface.inside(*best.T)
+    return [one if good else np.full(2, np.nan) for one, good in zip(best, met.tolist(), strict=True)]
+
+
+def _derivative(local: Local) -> FloatArray:
+    """Return the derivatives of ((M11 - M22)/2, M12) along e1 and e2, (..., 2, 2), 1/length²; true at umbilics."""
+    a, b, c, d = local.cubic
+    return np.stack([np.stack([0.5 * (a - c), 0.5 * (b - d)], axis=-1), np.stack([b, c], axis=-1)], axis=-2)
+
+
+def is_flat(surface: Surface, uv: FloatArray) -> bool:
+    """Return whether the derivative at an umbilic is singular: it is then no simple one, or one of a curve."""
+    local = Local.at(surface, *uv, order=3)
+    singular = np.linalg.svd(_derivative(local), compute_uv=False)
+    scale = max(abs(float(local.mean)), 1.0 / surface.size) / surface.size
+    return bool(singular[1] <= 1e-4 * max(float(singular[0]), scale))
+
+
+def apart(surface: Surface, found: Sequence[FloatArray]) -> list[FloatArray]:
+    """Return the parameters (2,) whose points are not the same."""
+    kept: list[FloatArray] = []
+    points: list[FloatArray] = []
+    for uv in found:
+        point = surface(*uv)
+        if not any(np.linalg.norm(point - other) <= _ONE * surface.size for other in points):
+            kept.append(uv)
+            points.append(point)
+    return kept
+
+
+def beside(surface: Surface, uv: FloatArray, points: FloatArray) -> bool:
+    """Return whether a point lies on a line of points (n, 3), as near as these are to each other."""
+    apart = np.linalg.norm(points - surface(*uv), axis=1)
+    step = np.linalg.norm(np.diff(points, axis=0), axis=1).max(initial=0.0)
+    return bool(apart.min() <= max(step, _ONE * surface.size))
+
+
+def curve_through(surface: Surface, uv: FloatArray, typical: float) -> FloatArray | None:
+    """Return the curve of umbilics (n, 2) through one whose derivative is singular; None where it is isolated."""
+    halves: list[list[FloatArray]] = []
+    stride = 0.01 * surface.size
+    for sense in (1.0, -1.0):
+        here, before, line = uv, None, [uv]
+        for _ in range(2000):
+            local = Local.at(surface, *here, order=3)
+            _, s, vt = np.linalg.svd(_derivative(local))
+            if not s[0] > 0.0:
+                break
+            p, q, r = (float(x) for x in local.frame)
+            way = np.array([p * vt[1, 0] + q * vt[1, 1], r * vt[1, 1]])
+            space = local.lifted(way)
+            turned = sense if before is None else np.sign(float(space @ before)) or 1.0
+            following = umbilics_near(surface, np.clip(here + turned * stride * way, 0.0, 1.0)[None, :], typical)[0]
+            if not np.isfinite(following).all():
+                break
+            if not 0.2 * stride < np.linalg.norm(surface(*following) - surface(*here)) < 3.0 * stride:
+                break
+            line.append(following)
+            here, before = following, turned * space
+            if len(line) > 8 and np.linalg.norm(surface(*here) - surface(*uv)) < stride:
+                line.append(uv)
+                return np.array(line)
+        halves.append(line)
+    whole = np.array([*reversed(halves[1]), *halves[0][1:]])
+    return whole if len(whole) >= 6 else None
