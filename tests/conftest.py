@@ -22,6 +22,7 @@ SLOW = frozenset(
         "extreme_models",
         "figure_whole",
         "fit",
+        "guides",
         "hostile_input",
         "lines",
         "mesh",

@@ -1,9 +1,8 @@
-"""``quintrig export``, ``import``, ``flatten`` as a user meets them; control nets in and out; the guide's commands."""
+"""``quintrig export``, ``import``, ``flatten`` as a user meets them; control nets in and out."""
 
 import json
 import os
 import re
-import shlex
 from dataclasses import replace
 from pathlib import Path
 
@@ -20,7 +19,6 @@ from quintrig.model.toml import to_toml
 from quintrig.support.errors import ModelError, QuintrigError
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
-GUIDE = Path(__file__).parent.parent / "docs" / "guide" / "exchange.md"
 LID = EXAMPLES / "car_boot.toml"
 
 if not os.environ.get("CI"):
@@ -401,26 +399,3 @@ def test_several_patches_name_the_option(tmp_path):
     done = run("flatten", EXAMPLES / "rear_of_car.toml", tmp_path / "a.dxf")
     assert done.code == 2
     assert "choose one by its name (--patch NAME)" in done.err
-
-
-# ------------------------------------------------------------------------------------------- the guide
-
-
-def commands():
-    text = GUIDE.read_text(encoding="utf-8")
-    blocks = re.findall(r"```sh\n(.*?)```", text, re.DOTALL)
-    return [line for block in blocks for line in block.splitlines() if line.startswith("quintrig ")]
-
-
-def test_the_commands_of_the_guide_run(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    for example in (one for one in EXAMPLES.iterdir() if one.is_file()):
-        (tmp_path / example.name).write_bytes(example.read_bytes())
-    curves_file(tmp_path / "frame.3dm")
-    found = commands()
-    assert len(found) >= 12
-    for line in found:
-        if line.startswith("quintrig report"):  # has tests of its own, and takes its time
-            continue
-        done = run(*shlex.split(line.partition("#")[0])[1:])
-        assert done.code == 0, f"{line}\n{done.err}"
