@@ -332,7 +332,7 @@ def test_the_commands_write_models_and_tell_the_seams(tmp_path):
     assert done.code == 0, done.err
     assert "join G2" in done.err
     assert "[[join]]" in end.read_text()
-    assert run("blend", start, *PAIR, "-o", start, "--force").code == 2
+    assert run("blend", start, *PAIR, "-o", start).code == 2
     assert run("extend", end, "b:u1", "--length", 20, "-o", tmp_path / "c.toml").code == 0
     done = run("mirror", end, "--plane", "y=0", "--order", "G2", "-o", tmp_path / "d.toml")
     assert (done.code, done.err.count("join G")) == (0, 3)

@@ -136,5 +136,10 @@ def test_the_command_writes_model_json_and_picture(tmp_path):
     again = run("fair", EXAMPLES / "tensor.toml", "-o", out)
     assert again.code == 2
     assert "--force" in again.err
+    same = run("fair", out, "-o", out, "--vary", "shape")
+    assert same.code == 2
+    assert "read here" in same.err
+    assert "--force" in same.err
+    assert run("fair", out, "-o", out, "--vary", "shape", "--force").code == 0
     shown = run("fair", EXAMPLES / "tensor.toml", "--vary", "shape")
     assert "thin-plate" in shown.out

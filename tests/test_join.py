@@ -241,9 +241,11 @@ def test_the_command_tells_what_it_reached_and_keeps_its_input(tmp_path):
     assert done.code == 0
     assert "left:a:u1 and b:u0 join G2" in done.err
     assert quintrig.load(out).joins()[0].order == "G2"
-    assert run("join", path, "left:a:u1", "b:u0", "-o", path, "--force").code == 2
+    assert run("join", path, "left:a:u1", "b:u0", "-o", path).code == 2
     assert run("join", path, "left:a:u1", "b:u0", "-o", out).code == 2
     assert run("join", path, "left:a:u1", "b:u0", "-o", out, "--force").code == 0
+    assert run("join", path, "left:a:u1", "b:u0", "-o", path, "--force").code == 0  # the model itself, when it is said
+    assert quintrig.load(path).joins()[0].order == "G1"
 
 
 @pytest.mark.parametrize("order", ["G0", "G1"])

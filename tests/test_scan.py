@@ -2,6 +2,7 @@
 
 import json
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -11,6 +12,7 @@ import quintrig
 from quintrig.support.errors import ModelError, QuintrigError
 
 RUN = cli_runner.quintrig
+EXAMPLES = Path(__file__).parent.parent / "examples"
 TABLES = {
     "x,y,z\n1,2,3\n4,5,6\n": [[1, 2, 3], [4, 5, 6]],
     "1 2 3\n\n# between\n4\t5  6\n": [[1, 2, 3], [4, 5, 6]],
@@ -165,3 +167,14 @@ def test_commands_take_a_scan_as_they_take_a_model(tmp_path):
         done = RUN(*arguments)
         assert (done.code, done.out) == (2, "")
         assert words in done.err
+
+
+def test_the_table_of_a_surface_is_read_back_by_the_names_of_its_columns(tmp_path):
+    written = tmp_path / "lid.csv"
+    done = RUN("table", EXAMPLES / "car_boot.toml", "--grid", "5x7", "-o", written)
+    assert done.code == 0, done.err
+    assert "elliptic" in written.read_text() or "hyperbolic" in written.read_text()
+    points = quintrig.read_scan(written).points
+    u, v = quintrig.grid(5, 7)
+    there = quintrig.load(EXAMPLES / "car_boot.toml").surface(u, v).reshape(-1, 3)
+    np.testing.assert_allclose(points, there, atol=1e-10)

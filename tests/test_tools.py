@@ -91,6 +91,7 @@ def test_patches_that_hang_together_are_one_shell_of_build123d(halves):
     assert isinstance(shell, build123d.Shell)
     assert len(shell.faces()) == 2
     assert shell.area == pytest.approx(9.0, rel=1e-12)
+    assert halves.patches[0].to_build123d().area == pytest.approx(6.0)  # a patch as its surface
     apart = quintrig.Model("apart", "m", (halves.patches[0], quintrig.load(ROOT / "examples/car_boot.toml").patches[0]))
     compound = apart.to_build123d()
     assert isinstance(compound, build123d.Compound)
@@ -175,11 +176,13 @@ def test_a_trimmed_face_is_not_handed_over_as_something_else(halves):
     assert face.carrier.to_build123d().area == pytest.approx(6.0)
 
 
-@pytest.mark.parametrize("name", ["pyvista", "build123d", "trimesh", "compas"])
-def test_a_missing_package_is_one_line_with_its_command(monkeypatch, name):
+@pytest.mark.parametrize(
+    ("name", "extra"), [("pyvista", "tools"), ("build123d", "tools"), ("trimesh", "mesh"), ("compas", "tools")]
+)
+def test_a_missing_package_is_one_line_with_its_command(monkeypatch, name, extra):
     monkeypatch.setitem(sys.modules, name, None)
     monkeypatch.setitem(sys.modules, f"{name}.datastructures", None)
-    with pytest.raises(QuintrigError, match=r"pip install 'quintrig\[tools\]'"):
+    with pytest.raises(QuintrigError, match=rf"pip install 'quintrig\[{extra}\]'"):
         getattr(quintrig.sphere(1.0), f"to_{name}")()
 
 

@@ -10,6 +10,7 @@ from quintrig.analysis.cautions import Singular, find_cautions, find_notes, find
 from quintrig.analysis.extremes import Extremes, find_extremes
 from quintrig.analysis.integrate import Integrals, area_weights, integrals, orientation
 from quintrig.analysis.sample import Sample, analyse
+from quintrig.geometry.bounding_box import bounding_box
 from quintrig.geometry.domain import face_grid
 from quintrig.geometry.surface import Surface
 from quintrig.quantities.classify import Thresholds
@@ -82,11 +83,7 @@ def summarise(
     extremes = find_extremes(surface, EXTREMES, samples)
     weights = area_weights(sample)
     shares = {key: class_shares(sample, key, weights) for key in CLASSIFIED}
-    points = sample.point[surface.inside(u, v)]
-    if surface.trim:
-        points = np.concatenate([points, *(surface(*loop.T) for loop in surface.trim)])
-    box = np.stack([points.min(axis=0), points.max(axis=0)])
-    box.setflags(write=False)
+    box = bounding_box(surface, u[:, 0], v[0], sample.point)
     singular = find_singular(sample)
     size = sample.size
     words = sample.thresholds.describe(size, unit) if size > 0.0 else "none: the surface is a single point"

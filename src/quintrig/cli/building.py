@@ -27,7 +27,7 @@ def deliver(built: "Built", output: Path, source: Path, *, force: bool) -> None:
     from quintrig.support.files import refuse_loss
 
     for target in targets(built.model, output):
-        refuse_loss(target, source, force=force)
+        refuse_loss(target, edited=source, force=force)
     for note in built.notes:
         session.remark(note)
     for seam in built.seams:

@@ -75,7 +75,7 @@ def fair(
     from quintrig.support.files import refuse_loss
 
     if output is not None:
-        refuse_loss(output, model, force=force)
+        refuse_loss(output, edited=model, force=force)
     if loaded.curves:
         if vary != "net" or picture is not None:
             raise ValueError(f"{model}: a curve is made fairer by its net, and has no picture here; leave both out")

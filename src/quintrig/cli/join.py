@@ -88,7 +88,7 @@ def join(
 
     joined = _sides(loaded, words[0], words[1], order or "G1", ratio, both, convert, hold)
     for target in targets(joined, output):
-        refuse_loss(target, model, force=force)
+        refuse_loss(target, edited=model, force=force)
     session.told(export(joined, output))
 
 

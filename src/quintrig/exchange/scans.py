@@ -171,8 +171,12 @@ def _table(raw: bytes, path: Path) -> Scan:
         body = body.replace(",", ".")
     # A remark may stand anywhere; // is no single letter, and so is turned into one.
     body = body.replace("//", "#").replace("%", "#")
+    known = [index for index, name in enumerate(names) if name in _NAMES]
+    named = {0, 1} <= {_NAMES[names[index]] for index in known}  # then other columns may hold words
+    only = known if named else None
+    names = [names[index] for index in known] if named else names
     try:
-        rows = np.loadtxt(io.StringIO(body), delimiter=delimiter, comments="#", skiprows=skip, ndmin=2)
+        rows = np.loadtxt(io.StringIO(body), delimiter=delimiter, comments="#", skiprows=skip, ndmin=2, usecols=only)
     except ValueError as error:
         raise ModelError(f"{path}: {_told(str(error), skip)}") from None
     if not rows.size:

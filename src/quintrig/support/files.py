@@ -122,15 +122,25 @@ def refuse_unwritable(path: str | Path) -> None:
         raise _refusal(target, error) from None
 
 
-def refuse_loss(target: str | Path, *sources: Path | None, force: bool | None = None) -> None:
+def refuse_loss(
+    target: str | Path, *sources: Path | None, edited: Path | None = None, force: bool | None = None
+) -> None:
     """Raise QuintrigError where writing ``target`` would lose what a user wrote: a source of this run, or a model.
 
     ``sources`` are the files that are read, with the CSV files that models among them name; those are never written
-    over. Another model file is, where ``force`` is true; None stands for a command without that option.
+    over. Another model file is, where ``force`` is true, and so is the one that the command ``edited``; None stands for
+    a command without that option.
     """
     path = Path(target)
     if not path.is_file():
         return
+    if edited is not None and edited.exists() and path.samefile(edited):
+        if force:
+            return
+        message = f"{path}: this file is read here, and writing to it would lose the original"
+        raise QuintrigError(message, remedy="choose another name, or force=True to replace it", key="replace")
+    if edited is not None:
+        sources = (*sources, edited)
     for source in sources:
         if source is not None and any(one.exists() and path.samefile(one) for one in (source, *_named_nets(source))):
             raise QuintrigError(

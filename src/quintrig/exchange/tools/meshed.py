@@ -3,15 +3,14 @@
 from collections.abc import Sequence
 
 from quintrig.exchange.mesh.write import QUANTITIES
-from quintrig.exchange.tools.whole import whole
-from quintrig.geometry.surface import Surface
+from quintrig.exchange.tools.whole import Given, whole
 from quintrig.mesh.triangulate import Mesh, mesh
 from quintrig.model.model import Model
 from quintrig.quantities.table import quantity
 
 
 def meshed(
-    value: Surface | Model,
+    value: Given,
     *,
     tolerance: float | None = None,
     grid: tuple[int, int] | None = None,

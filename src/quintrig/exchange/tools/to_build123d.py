@@ -3,13 +3,11 @@
 from typing import Any
 
 from quintrig.exchange.cad.forms import written_carriers
-from quintrig.exchange.tools.whole import whole
-from quintrig.geometry.surface import Surface
-from quintrig.model.model import Model
+from quintrig.exchange.tools.whole import Given, whole
 from quintrig.support.extras import need
 
 
-def to_build123d(value: Surface | Model) -> Any:
+def to_build123d(value: Given) -> Any:
     """Return a build123d.Face, of several patches a Shell where they hang together and else a Compound.
 
     Raises as ``Handed.to_build123d`` says.

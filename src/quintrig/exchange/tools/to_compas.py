@@ -6,13 +6,11 @@ import numpy as np
 
 from quintrig.exchange.cad.forms import Carrier, written_carriers
 from quintrig.exchange.tools.meshed import meshed
-from quintrig.exchange.tools.whole import alone, whole
-from quintrig.geometry.surface import Surface
-from quintrig.model.model import Model
+from quintrig.exchange.tools.whole import Given, alone, whole
 from quintrig.support.extras import need
 
 
-def to_compas(value: Surface | Model, *, form: Literal["mesh", "nurbs"] = "mesh", **options: Any) -> Any:
+def to_compas(value: Given, *, form: Literal["mesh", "nurbs"] = "mesh", **options: Any) -> Any:
     """Return a compas.datastructures.Mesh, or the data of NURBS surfaces; see ``Handed.to_compas``."""
     if form not in ("mesh", "nurbs"):
         raise ValueError(f'form: expected "mesh" or "nurbs", found {form!r}')

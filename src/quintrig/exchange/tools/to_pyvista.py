@@ -6,9 +6,8 @@ from typing import Any
 import numpy as np
 
 from quintrig.analysis.sample import analyse
-from quintrig.exchange.tools.whole import alone, whole
+from quintrig.exchange.tools.whole import Given, alone, whole
 from quintrig.geometry.surface import Surface
-from quintrig.model.model import Model
 from quintrig.quantities.table import BY_KEY
 from quintrig.support.extras import need
 
@@ -16,7 +15,7 @@ _MOST_POINTS = 4_000_000
 
 
 def to_pyvista(
-    value: Surface | Model, *, points: tuple[int, int] = (65, 65), quantities: Iterable[str] | str | None = None
+    value: Given, *, points: tuple[int, int] = (65, 65), quantities: Iterable[str] | str | None = None
 ) -> Any:
     """Return a pyvista.StructuredGrid, of a model with several patches a pyvista.MultiBlock of grids by name.
 

@@ -5,13 +5,11 @@ from typing import Any
 from quintrig.exchange.cad.forms import written_carriers
 from quintrig.exchange.cad.rhino import to_rhino
 from quintrig.exchange.origin import refuse_point
-from quintrig.exchange.tools.whole import alone, whole
-from quintrig.geometry.surface import Surface
-from quintrig.model.model import Model
+from quintrig.exchange.tools.whole import Given, alone, whole
 from quintrig.support.extras import need
 
 
-def to_rhino3dm(value: Surface | Model) -> Any:
+def to_rhino3dm(value: Given) -> Any:
     """Return a rhino3dm.NurbsSurface, of several patches a dict of them by name; see ``Handed.to_rhino3dm``."""
     rhino = need("rhino3dm", "to_rhino3dm")
     model = whole(value)

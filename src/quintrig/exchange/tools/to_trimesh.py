@@ -3,12 +3,11 @@
 from typing import Any
 
 from quintrig.exchange.tools.meshed import meshed
-from quintrig.geometry.surface import Surface
-from quintrig.model.model import Model
+from quintrig.exchange.tools.whole import Given
 from quintrig.support.extras import need
 
 
-def to_trimesh(value: Surface | Model, **options: Any) -> Any:
+def to_trimesh(value: Given, **options: Any) -> Any:
     """Return a trimesh.Trimesh; ``metadata`` hold the unit, the names of the patches and the chord measured.
 
     ``vertex_attributes`` hold u, v, the number of the patch and the quantities. Raises as ``Handed.to_trimesh`` says.

@@ -4,15 +4,20 @@ from quintrig.geometry.surface import Surface
 from quintrig.model.model import Model
 from quintrig.model.patch import Patch
 
+Given = Surface | Patch | Model
+"""What is handed over."""
 
-def whole(value: Surface | Model) -> Model:
-    """Return a model as it is and a surface as the only patch of one; ModelError where there are curves alone."""
+
+def whole(value: Given) -> Model:
+    """Return a model as it is, a patch or surface as the only one of a model; ModelError for curves alone."""
     if isinstance(value, Surface):
-        return Model("surface", "", (Patch.of(value),))
+        value = Patch.of(value)
+    if isinstance(value, Patch):
+        return Model(value.name, "", (value,))
     value.refuse_curves()
     return value
 
 
-def alone(value: Surface | Model) -> bool:
+def alone(value: Given) -> bool:
     """Return whether what is handed over is one patch, not a collection by name."""
-    return isinstance(value, Surface) or len(value.patches) == 1
+    return not isinstance(value, Model) or len(value.patches) == 1
