@@ -44,6 +44,9 @@ DRAWN: dict[str, type[Definition]] = {**OWN, "curve": CurveKind}
 EXAMPLES = Path(__file__).parents[3] / "examples"
 """The example models of the repository, which become the presets when the bundle is built."""
 
+_LARGEST_PRESET = 8192
+"""Bytes of an example: presets travel in every report page, so a body of many patches is none."""
+
 
 def table() -> dict[str, Any]:
     """Return everything that the browser takes from Python."""
@@ -115,8 +118,8 @@ def _stops(colours: Colormap) -> list[str]:
 
 
 def _presets() -> list[dict[str, Any]]:
-    models = [load(path) for path in sorted(EXAMPLES.glob("*.toml"))]
-    return [model.to_dict() for model in models]
+    small = [path for path in sorted(EXAMPLES.glob("*.toml")) if path.stat().st_size <= _LARGEST_PRESET]
+    return [load(path).to_dict() for path in small]
 
 
 def main(out: str) -> None:
