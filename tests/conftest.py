@@ -49,7 +49,7 @@ SLOW = frozenset(
 
 
 def shares(item):
-    """Return whether a test uses a fixture that is made once for its file; a browser starts at once and does not count."""
+    """Return whether a test uses what is made once for its file; a browser starts at once and does not count."""
     defined = item._fixtureinfo.name2fixturedefs  # no public name tells
     return any(used[-1].scope == "module" for name, used in defined.items() if name != "browser")
 
