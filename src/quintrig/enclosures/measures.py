@@ -62,7 +62,7 @@ def gauss(shape: Shape, sign: float, direction: FloatArray) -> Problem:
     def enclose(low: FloatArray, high: FloatArray) -> Interval:
         return _scaled(intervals.quotient((low[:, 0], high[:, 0]), (low[:, 1], high[:, 1])), per)
 
-    return _equal(shape, forms), enclose
+    return equal(shape, forms), enclose
 
 
 def curvatures(
@@ -91,7 +91,7 @@ def curvatures(
         h = _mean((low[:, 2], high[:, 2]), *((low[:, place], high[:, place]) for place in places))
         return of(_scaled(h, 1.0 / scale), _scaled(k, scale**-2))
 
-    return _equal(shape, forms), enclose
+    return equal(shape, forms), enclose
 
 
 def _mean(top: Interval, product: Interval, below: Interval, under: Interval, one: Interval) -> Interval:
@@ -119,7 +119,7 @@ def slope(shape: Shape, sign: float, direction: FloatArray) -> Problem:
     def enclose(low: FloatArray, high: FloatArray) -> Interval:
         return tilt(*intervals.root(*intervals.quotient((low[:, 0], high[:, 0]), (low[:, 1], high[:, 1]))))
 
-    return _equal(shape, forms), enclose
+    return equal(shape, forms), enclose
 
 
 def draft(shape: Shape, sign: float, direction: FloatArray) -> Problem:
@@ -134,7 +134,7 @@ def draft(shape: Shape, sign: float, direction: FloatArray) -> Problem:
             below, above = -above, -below
         return elevation(np.where(below >= 0.0, least, -most), np.where(above <= 0.0, -least, most))
 
-    return _equal(shape, [*forms, across]), enclose
+    return equal(shape, [*forms, across]), enclose
 
 
 def draft_sign(shape: Shape, sign: float, direction: FloatArray) -> Problem:
@@ -172,7 +172,7 @@ def _scaled(interval: Interval, factor: float) -> Interval:
     return interval[0] * factor, interval[1] * factor  # a power of 2: exact
 
 
-def _equal(shape: Shape, forms: Sequence[Form]) -> list[Form]:
+def equal(shape: Shape, forms: Sequence[Form]) -> list[Form]:
     """Return the forms in one bidegree.
 
     Those of a quotient have degrees that are odd together, or even; the others' are made so by a positive factor.

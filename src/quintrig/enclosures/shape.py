@@ -89,7 +89,7 @@ class Shape:
                 return Shape(self.chart, Whole).factors
             except InexactError:
                 pass
-        return _common(first), _common(second)
+        return shared(first), shared(second)
 
     @cached_property
     def x(self) -> Vector:
@@ -162,6 +162,12 @@ class Shape:
         """The exponents of f g."""
         return _sum(*self.factors)
 
+    @property
+    def collapsing(self) -> Edges:
+        """At which edges all of the edge is one point: where the tangent along it vanishes."""
+        first, second = self.factors
+        return (second[0], second[1], first[2], first[3])
+
     def even(self, mean: Form, below: Form, area: Form) -> tuple[Form, Form]:
         """Return Q and the D under the root, made of a degree whose powers of σ are whole."""
         for axis in (0, 1):
@@ -201,7 +207,8 @@ def cancelled(numerator: Form, edges: Edges) -> tuple[Form, Edges]:
     return numerator.divided(common), left
 
 
-def _common(vector: Vector) -> Edges:
+def shared(vector: Vector) -> Edges:
+    """Return the powers of u, 1 - u, v and 1 - v that divide all of some forms."""
     return _least([part.edges() for part in vector if not part.vanishes])
 
 
