@@ -116,6 +116,14 @@ def test_the_proof_finds_what_the_search_has_missed():
     assert found.complete
 
 
+def test_edges_that_stand_still_are_told_and_the_rest_is_complete():
+    x, y = np.meshgrid(np.linspace(0.0, 3.0, 6), np.linspace(0.0, 2.0, 6), indexing="ij")
+    points = np.stack([x, y, -0.2 * (x - 1.4) ** 2 - 0.3 * (y - 1.1) ** 2 + 0.03 * np.sin(5 * x + 3 * y)], axis=-1)
+    found = umbilics(quintrig.tensor(points, (-4.0, -4.0, -1.0, 1.0)))
+    assert found.complete
+    assert [note for note in found.notes if "u = 0" in note]
+
+
 def form(function, degree=3):
     """Return a polynomial f(x, y) over the unit square as a form, from its values to rounding."""
     t = np.linspace(0, 1, degree + 1)

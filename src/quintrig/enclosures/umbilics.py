@@ -1,9 +1,10 @@
-"""Umbilics as common zeros of two forms: whether those known are alone, and whether there are others.
+"""Umbilics as common zeros of forms: whether those known are alone, and whether there are others.
 
 With the X, Y, λ, μ, ρ and ν of ``shape``, E M - F L = f² A and E N - G L = f g B, where A = f (X·X) μ - g (X·Y) λ and
-B = f (X·X) ν - g (Y·Y) λ. Where S_u does not vanish, both are 0 at umbilics and nowhere else. Along an edge that is one
-point, as at a pole, they have its factor in common; it is divided out, and so the pole is spoken of, too: where it is
-no umbilic, what is left does not vanish there.
+B = f (X·X) ν - g (Y·Y) λ. Where S_u does not vanish, both are 0 at umbilics and nowhere else; where S_v does not, the
+same is true of B and C, F N - G M = g² C. Of each, the factor of an edge where S_u or S_v vanishes is divided out. At a
+pole f g is a factor of all, and there are more in common if and only if it is an umbilic. Of other such edges nothing
+is said.
 """
 
 from dataclasses import dataclass
@@ -11,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from quintrig.basis.rational import NotRationalError
-from quintrig.enclosures.ball import Ball
+from quintrig.enclosures.ball import Ball, Edges
 from quintrig.enclosures.boxes import Boxes
 from quintrig.enclosures.charts import Chart, charts
 from quintrig.enclosures.faces import outside
@@ -40,12 +41,14 @@ _CLOSED = 1e-9  # of the size: two sides this near are one
 class Umbilical:
     """Which of the umbilics known are ``alone`` (k,), what is left ``open``, (u, v, u, v) (m, 4), and ``poles``.
 
-    ``all`` where every point is one, to rounding; ``poles`` are the sides (axis, end) that are one point, an umbilic.
+    ``all`` where every point is one, to rounding; ``poles`` are the sides (axis, end) that are one point, an umbilic;
+    of the sides ``untold``, along which a tangent vanishes, nothing is said.
     """
 
     alone: BoolArray
     open: FloatArray
     poles: frozenset[Side]
+    untold: frozenset[Side]
     all: bool
     boxes: int
 
@@ -60,23 +63,24 @@ def prove(surface: Surface, known: FloatArray, most: int = MOST) -> Umbilical | 
     except (NotRationalError, AttributeError):
         return None
     left: list[FloatArray] = []
-    poles: set[Side] = set()
+    poles, untold = set[Side](), set[Side]()
     level, boxes = 0, 0
     turns = _turns(surface)
     for chart in each:
-        pair, around = _pair(chart)
-        poles |= around
+        forms, flat, still = _parted(chart)
+        poles |= flat
+        untold |= still
         places = np.concatenate([np.stack(chart.places(*(known + turn).T), axis=-1) for turn in turns])
-        if _rounding(chart, pair):
+        if _rounding(chart, forms):
             level += 1
             found = Zeros(np.zeros(len(places), dtype=np.bool_), [(0.0, 0.0, 1.0, 1.0)])
         else:
-            found = zeros([part.ball() for part in pair], places, most, outside(surface, chart))
+            found = zeros([part.ball() for part in forms], places, most, outside(surface, chart))
         alone |= found.alone.reshape(len(turns), -1).any(axis=0)
         boxes += found.boxes
         low, high = np.split(np.array(found.open).reshape(-1, 4), 2, axis=1)
         left.append(np.stack([*chart.parameters(*low.T), *chart.parameters(*high.T)], axis=-1))
-    return Umbilical(alone, np.concatenate(left), frozenset(poles), level == len(each), boxes)
+    return Umbilical(alone, np.concatenate(left), frozenset(poles), frozenset(untold), level == len(each), boxes)
 
 
 def _turns(surface: Surface) -> list[FloatArray]:
@@ -93,43 +97,52 @@ def _of_envelope(surface: Surface, alone: BoolArray, most: int) -> Umbilical:
     free = found.minimum[0] > 0.0 or found.maximum[1] < 0.0
     flat = found.minimum[0] == found.maximum[1] == 0.0
     left = np.zeros((0, 4)) if free or flat else np.array([[0.0, 0.0, 1.0, 1.0]])
-    return Umbilical(alone, left, frozenset(), flat, found.boxes)
+    return Umbilical(alone, left, frozenset(), frozenset(), flat, found.boxes)
 
 
-def _pair(chart: Chart) -> tuple[list[Form], set[Side]]:
-    """Return A and B without the factors of edges that they share, and the sides that are one point, an umbilic."""
-    balls = Shape(chart, Ball)
-    if not any(balls.both):
-        return equal(balls, _forms(balls)), set()
-    shape = Shape(chart, Whole)
-    try:
-        pair = _forms(shape)
-    except InexactError:
-        return equal(balls, _forms(balls)), set()
-    common = shared(pair)
+def _parted(chart: Chart) -> tuple[list[Form], set[Side], set[Side]]:
+    """Return A, B and C without factors of edges, the sides that are one point, an umbilic, and those not spoken of."""
+    shape = Shape(chart, Ball)
     ends = (chart.u.span.start, chart.u.span.end, chart.v.span.start, chart.v.span.end)
-    poles: set[Side] = set()
-    for index, (collapsing, power) in enumerate(zip(shape.collapsing, shape.both, strict=True)):
-        if collapsing and common[index] > power:  # f g alone is what it takes for curvature to stay bounded
-            poles.add((index // 2, ends[index]))
-    return equal(shape, [part if part.vanishes else part.divided(common) for part in pair]), poles
+    sides = [(index // 2, end) for index, end in enumerate(ends)]
+    still = {side for side, power, one in zip(sides, shape.both, shape.collapsing, strict=True) if power and not one}
+    if not any(shape.both):
+        return equal(shape, _forms(shape)), set(), set()
+    whole, poles = Shape(chart, Whole), set[Side]()
+    try:
+        forms = _forms(whole)
+    except InexactError:
+        return equal(shape, _forms(shape)), set(), set(sides)
+    for side, power, one, more in zip(sides, whole.both, whole.collapsing, shared(forms), strict=True):
+        if one and more > power:
+            poles.add(side)
+    forms = [part if part.vanishes else part.divided(_where(part.edges(), whole.both)) for part in forms]
+    return equal(whole, forms), poles, still
+
+
+def _where(edges: Edges, both: Edges) -> Edges:
+    """Return the powers by which an edge divides a form, of those edges alone where a tangent vanishes."""
+    a, b, c, d = (power if there else 0 for power, there in zip(edges, both, strict=True))
+    return a, b, c, d
 
 
 def _forms(shape: Shape) -> list[Form]:
-    lam, mu, _, nu = shape.second_form
+    """Return A and B, and C where S_u or S_v vanishes on an edge."""
+    lam, mu, rho, nu = shape.second_form
     f, g = shape.factors
     e, middle, last = dot(shape.x, shape.x), dot(shape.x, shape.y), dot(shape.y, shape.y)
-    return [
+    two = [
         (e * mu).multiplied(f) - (middle * lam).multiplied(g),
         (e * nu).multiplied(f) - (last * lam).multiplied(g),
     ]
+    return [*two, (middle * nu).multiplied(f) - (last * rho).multiplied(g)] if any(shape.both) else two
 
 
-def _rounding(chart: Chart, pair: list[Form]) -> bool:
-    """Return whether both forms are no more than rounding everywhere."""
+def _rounding(chart: Chart, forms: list[Form]) -> bool:
+    """Return whether all forms are no more than rounding everywhere."""
     shape = Shape(chart, Ball)
     x, y, n = (max(_largest(part.ball()) for part in vector) for vector in (shape.x, shape.y, shape.normal))
-    return all(_largest(part.ball()) <= _LEVEL * max(x, y) * x * x * n for part in pair)
+    return all(_largest(part.ball()) <= _LEVEL * max(x, y) * x * x * n for part in forms)
 
 
 def _largest(form: Ball) -> float:

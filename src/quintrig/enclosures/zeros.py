@@ -1,9 +1,9 @@
-"""All common zeros of two forms over a chart: those known are each alone in a box, and there is none elsewhere.
+"""All common zeros of two or three forms over a chart: those known are each alone in a box, and none is elsewhere.
 
-A box holds at most one zero where the two derivatives of both forms, made near to the unit matrix by its inverse in
+A box holds at most one zero where the two derivatives of two forms, made near to the unit matrix by its inverse in
 the middle, stay a matrix with a dominant diagonal; it holds one where each form has its two signs on two opposite
 sides (Miranda 1940; Moore and Jones 1977). The box may reach over the edges of the chart, as zeros on an edge need. All
-others are looked through in halves, and one is free of zeros where one combination of both forms has one sign.
+others are looked through in halves, and one is free of zeros where one combination of the forms has one sign.
 """
 
 from dataclasses import dataclass, field
@@ -37,9 +37,12 @@ class Zeros:
     boxes: int = 0
 
 
-def zeros(pair: list[Ball], known: FloatArray, most: int, outside: Outside = nothing) -> Zeros:
-    """Return what is known of the common zeros of a pair of forms over [0, 1]², ``known`` (k, 2) near some of them."""
-    whole = Boxes.whole(pair)
+def zeros(forms: list[Ball], known: FloatArray, most: int, outside: Outside = nothing) -> Zeros:
+    """Return what is known of the common zeros of two or three forms over [0, 1]², ``known`` (k, 2) near some of them.
+
+    The first two forms, or the last two, have no other common zeros near such a one.
+    """
+    whole = Boxes.whole(forms)
     found = Zeros(np.zeros(len(known), dtype=np.bool_))
     around: list[Rectangle] = []
     for index, place in enumerate(known):
@@ -80,12 +83,12 @@ def _free(boxes: Boxes) -> BoolArray:
     if not len(boxes):
         return np.zeros(0, dtype=np.bool_)
     size = np.abs(boxes.middle).max(axis=(2, 3), keepdims=True)
-    ways = (boxes.middle / np.where(size > 0.0, size, 1.0)).mean(axis=(2, 3), keepdims=True)
+    unit = 1.0 / np.where(size > 0.0, size, 1.0)
+    ways = (boxes.middle * unit).mean(axis=(2, 3), keepdims=True) * unit
     result = np.zeros(len(boxes), dtype=np.bool_)
-    ways = ways / np.where(size > 0.0, size, 1.0)
-    for way in (ways, ways * [[[1.0]], [[0.0]]], ways * [[[0.0]], [[1.0]]]):
+    for way in (ways, *(ways * one[:, None, None] for one in np.eye(boxes.middle.shape[1]))):
         middle = way * boxes.middle
-        off = np.abs(way) * boxes.radius + bound(3) * np.abs(middle) + LEAST
+        off = np.abs(way) * boxes.radius + bound(4) * np.abs(middle) + LEAST
         result |= (middle.sum(axis=1) > off.sum(axis=1) * UP).all(axis=(1, 2))
     return result
 
@@ -93,12 +96,16 @@ def _free(boxes: Boxes) -> BoolArray:
 def _alone(whole: Boxes, place: FloatArray) -> Rectangle | None:
     """Return a box around a place that holds one zero and no other; None where there is no such box."""
     centre = np.round(place * _GRID) / _GRID
-    if not _one(*_over(whole, centre - 2.0**-_NEAR, centre + 2.0**-_NEAR)):
-        return None
-    for k in range(_WIDEST, _NEAR + 1):
-        low, high = centre - 2.0**-k, centre + 2.0**-k
-        if _one(*_over(whole, low, high)):
-            return (*low.tolist(), *high.tolist())
+    near = _over(whole, centre - 2.0**-_NEAR, centre + 2.0**-_NEAR)
+    for start in range(whole.middle.shape[1] - 1):
+        pair = slice(start, start + 2)
+        if not _one(near[0][pair], near[1][pair]):
+            continue
+        for k in range(_WIDEST, _NEAR + 1):
+            low, high = centre - 2.0**-k, centre + 2.0**-k
+            middle, radius = _over(whole, low, high)
+            if _one(middle[pair], radius[pair]):
+                return (*low.tolist(), *high.tolist())
     return None
 
 

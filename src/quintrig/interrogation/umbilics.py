@@ -99,6 +99,8 @@ def _of_patch(patch: Patch) -> _Found:
     found.complete = certain is not None and bool(certain.alone.all()) and not len(certain.open) and not regions
     found.told = _compared(patch, ones, poles, regions)
     found.umbilics = sorted([*ones, *poles], key=lambda one: (round(one.u, 9), round(one.v, 9)))
+    for axis, end in sorted(certain.untold) if certain else []:
+        found.notes.append(f"{name}: a tangent vanishes along {'uv'[axis]} = {end:g}; no umbilic is told on this edge")
     if not np.isfinite(local.spread[inside]).all() and not found.complete:
         found.notes.append(f"{name}: has singular points, at which no umbilic is told")
     if found.told and found.told["agree"] is False:
