@@ -149,12 +149,15 @@ def convolution(x: FloatArray, y: FloatArray) -> FloatArray:
     rows, columns = y.shape
     wide = np.zeros((rows, columns + 2 * (m - 1)))
     wide[:, m - 1 : m - 1 + columns] = y
-    shifted = np.lib.stride_tricks.sliding_window_view(wide, m, axis=1)[:, :, ::-1]  # [k, l, j] is y[k, l - j]
-    lines = x @ shifted.reshape(-1, m).T
-    lines = lines.reshape(n, rows, columns + m - 1)
+    shifted = np.lib.stride_tricks.sliding_window_view(wide, columns + m - 1, axis=1)[
+        :, ::-1
+    ]  # [k, j, l] is y[k, l - j]
+    lines = x @ np.ascontiguousarray(
+        shifted
+    )  # row by row: products so small take no threads, which wait for each other
     result: FloatArray = np.zeros((n + rows - 1, columns + m - 1))
-    for i in range(n):
-        result[i : i + rows] += lines[i]
+    for k in range(rows):
+        result[k : k + n] += lines[k]
     return result
 
 

@@ -154,12 +154,5 @@ def _binomials(n: int) -> FloatArray:
 
 def bernstein(n: int, x: float) -> FloatArray:
     """Return the Bernstein polynomials at x (n + 1,), each off by at most 2n + 4 units of roundoff."""
-    k = range(n + 1)
-    return _binomials(n) * np.array([_power(1.0 - x, n - i) * _power(x, i) for i in k])
-
-
-def _power(x: float, n: int) -> float:
-    result = 1.0
-    for _ in range(n):
-        result *= x
-    return result
+    ends_ = [np.multiply.accumulate(np.concatenate([[1.0], np.full(n, end)])) for end in (1.0 - x, x)]
+    return _binomials(n) * ends_[0][::-1] * ends_[1]
