@@ -161,6 +161,18 @@ def convolution(x: FloatArray, y: FloatArray) -> FloatArray:
     return result
 
 
+_ALONE = 1 << 18
+"""Multiplications below which a library of linear algebra takes no threads."""
+
+
+def product(x: FloatArray, y: FloatArray) -> FloatArray:
+    """Return the matrix product, over blocks of rows: threads for products so small would only wait for each other."""
+    rows = max(1, _ALONE // (y.shape[-2] * y.shape[-1]))
+    if x.shape[-2] <= rows:
+        return x @ y
+    return np.concatenate([x[..., i : i + rows, :] @ y for i in range(0, x.shape[-2], rows)], axis=-2)
+
+
 Pair = tuple[FloatArray, FloatArray]
 
 

@@ -11,7 +11,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from quintrig.enclosures.ball import LEAST, UP, Ball, bound
+from quintrig.enclosures.ball import LEAST, UP, Ball, bound, product
 from quintrig.support.arrays import BoolArray, FloatArray
 
 Enclose = Callable[[FloatArray, FloatArray], tuple[FloatArray, FloatArray]]
@@ -103,9 +103,9 @@ class Boxes:
         parts: list[tuple[FloatArray, FloatArray]] = []
         for matrix in (first, first[::-1, ::-1]):
             if axis:
-                middle, radius = self.middle @ matrix.T, error @ matrix.T
+                middle, radius = product(self.middle, matrix.T), product(error, matrix.T)
             else:
-                middle, radius = matrix @ self.middle, matrix @ error
+                middle, radius = product(matrix, self.middle), product(matrix, error)
             parts.append((middle, (radius + LEAST * (radius > 0.0)) * UP))
         centre = 0.5 * (self.low[:, axis] + self.high[:, axis])
         low, high = self.low.copy(), self.high.copy()

@@ -203,8 +203,7 @@ def cancelled(numerator: Form, edges: Edges) -> tuple[Form, Edges]:
     if not any(edges):
         return numerator, edges
     common = _least([numerator.edges(), edges])
-    left: Edges = (edges[0] - common[0], edges[1] - common[1], edges[2] - common[2], edges[3] - common[3])
-    return numerator.divided(common), left
+    return numerator.divided(common), less(edges, common)
 
 
 def shared(vector: Vector) -> Edges:
@@ -222,6 +221,16 @@ def _may_vanish(vector: Vector) -> bool:
 def _least(found: list[Edges]) -> Edges:
     a, b, c, d = (min(each) for each in zip(*found, strict=True)) if found else FREE
     return a, b, c, d
+
+
+def joint(x: Edges, y: Edges) -> Edges:
+    """Return the larger powers of both."""
+    return max(x[0], y[0]), max(x[1], y[1]), max(x[2], y[2]), max(x[3], y[3])
+
+
+def less(x: Edges, y: Edges) -> Edges:
+    """Return the powers of a quotient."""
+    return x[0] - y[0], x[1] - y[1], x[2] - y[2], x[3] - y[3]
 
 
 def _sum(x: Edges, y: Edges) -> Edges:

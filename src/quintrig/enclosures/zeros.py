@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from quintrig.enclosures.ball import LEAST, UP, Ball, bound
+from quintrig.enclosures.ball import LEAST, UP, Ball, bound, product
 from quintrig.enclosures.boxes import Boxes, bernstein
 from quintrig.enclosures.search import NARROWEST, Outside, joined, nothing
 from quintrig.support.arrays import BoolArray, FloatArray
@@ -115,9 +115,9 @@ def _over(whole: Boxes, low: FloatArray, high: FloatArray) -> tuple[FloatArray, 
         _moved(size - 1, a, b) for size, a, b in zip(whole.middle.shape[2:], low.tolist(), high.tolist(), strict=True)
     )
     n, m = whole.middle.shape[2:]
-    middle = left @ whole.middle[0] @ right.T
+    middle = product(product(left, whole.middle[0]), right.T)
     off = whole.radius[0] + bound(6 * (n + m) + 24) * np.abs(whole.middle[0])
-    return middle, (left_size @ off @ right_size.T + LEAST) * UP
+    return middle, (product(product(left_size, off), right_size.T) + LEAST) * UP
 
 
 def _moved(n: int, a: float, b: float) -> tuple[FloatArray, FloatArray]:
