@@ -9,6 +9,8 @@ from scipy.special import comb
 import quintrig
 from cli_runner import quintrig as command
 from quintrig import umbilics
+from quintrig.enclosures.ball import Ball
+from quintrig.enclosures.zeros import zeros
 
 
 def height(z, low=(-0.6, -0.5), high=(0.5, 0.6), degree=4):
@@ -37,6 +39,16 @@ def test_an_ellipsoid_has_four_lemons():
         assert one.curvature == pytest.approx(-a * c / b**3, rel=1e-12)  # n outwards
     assert found.sums[0]["index_sum"] == found.sums[0]["boundary_rotation"] == 2.0  # Euler's number of a sphere
     assert found.sums[0]["agree"] is True
+    assert found.complete
+
+
+def test_an_ellipsoid_of_revolution_has_two_umbilics_at_its_poles():
+    found = umbilics(quintrig.ellipsoid(2.0, 2.0, 1.0))
+    assert sorted(one.point[2] for one in found.umbilics) == pytest.approx([-1.0, 1.0])
+    assert [(one.index, one.type) for one in found.umbilics] == [(1.0, "other")] * 2
+    assert [one.curvature for one in found.umbilics] == pytest.approx([-0.25] * 2, rel=1e-8)  # c / a²
+    assert found.sums[0]["agree"] is True
+    assert found.complete
 
 
 @pytest.mark.parametrize(
@@ -53,6 +65,7 @@ def test_types_by_the_cubic_form(a, c, kind, index, leave, turn):
     (one,) = [one for one in found.umbilics if np.linalg.norm(one.point) < 1e-6]
     assert (one.type, one.index, len(one.directions)) == (kind, index, leave)
     assert one.curvature == pytest.approx(1.0)
+    assert found.complete
     assert np.abs(one.point).max() < 1e-9
     assert found.sums[0]["agree"] is True
     assert any(abs((angle - np.degrees(turn) + 90) % 180 - 90) < 1e-5 for angle in one.directions)  # by symmetry
@@ -70,6 +83,8 @@ def test_an_umbilic_that_is_not_simple_has_its_index_by_turning():
     (one,) = found.umbilics
     assert (one.type, one.index) == ("planar", -1.0)
     assert found.sums[0]["agree"] is True
+    assert not found.complete
+    assert "not a simple one" in found.notes[0]
 
 
 def test_spheres_and_planes_are_told_as_regions():
@@ -80,6 +95,7 @@ def test_spheres_and_planes_are_told_as_regions():
     ):
         found = umbilics(model)
         assert not found.umbilics
+        assert found.complete
         assert [region.kind for region in found.regions] == ["region"]
         assert found.regions[0].curvature == pytest.approx(curvature, abs=1e-12)
 
@@ -90,6 +106,57 @@ def test_a_curve_of_umbilics_is_told_as_one():
     assert not found.umbilics
     assert [region.kind for region in found.regions] == ["curve"]
     assert np.abs(np.hypot(*found.regions[0].points[:, :2].T) - 1).max() < 1e-6
+    assert not found.complete
+
+
+def test_the_proof_finds_what_the_search_has_missed():
+    found = umbilics(quintrig.load("examples/swung.toml"))  # one between the edge and the first cells of the grid
+    assert any(one.u < 0.02 and abs(one.v) < 1e-9 for one in found.umbilics)
+    assert len(found) == 6
+    assert found.complete
+
+
+def test_edges_that_stand_still_are_told_and_the_rest_is_complete():
+    x, y = np.meshgrid(np.linspace(0.0, 3.0, 6), np.linspace(0.0, 2.0, 6), indexing="ij")
+    points = np.stack([x, y, -0.2 * (x - 1.4) ** 2 - 0.3 * (y - 1.1) ** 2 + 0.03 * np.sin(5 * x + 3 * y)], axis=-1)
+    found = umbilics(quintrig.tensor(points, (-4.0, -4.0, -1.0, 1.0)))
+    assert found.complete
+    assert [note for note in found.notes if "u = 0" in note]
+
+
+def form(function, degree=3):
+    """Return a polynomial f(x, y) over the unit square as a form, from its values to rounding."""
+    t = np.linspace(0, 1, degree + 1)
+    matrix = np.stack([comb(degree, k) * t**k * (1 - t) ** (degree - k) for k in range(degree + 1)], axis=1)
+    inverse = np.linalg.inv(matrix)
+    scale = comb(degree, np.arange(degree + 1))
+    middle = inverse @ function(t[:, None], t[None, :]) @ inverse.T * scale[:, None] * scale
+    return Ball(middle, np.full(middle.shape, 1e-13))
+
+
+def test_a_zero_is_never_told_to_be_alone_beside_another():
+    for apart in (0.3, 1e-2, 1e-4):
+        near, far = np.array([0.4, 0.3]), np.array([0.4 + apart, 0.3])
+        pair = [form(lambda x, y: (x - 0.4) * (x - 0.4 - apart) + 0 * y), form(lambda x, y: (y - 0.3) * (1 + x + y))]  # noqa: B023
+        both = zeros(pair, np.array([near, far]), 500)
+        assert both.alone.all()
+        assert not both.open
+        one = zeros(pair, near[None], 500)
+        assert one.alone.all()
+        assert any((far >= low[:2]).all() and (far <= low[2:]).all() for low in np.array(one.open))
+        wrong = zeros(pair, np.array([[0.41 + 0.3 * apart, 0.32]]), 500)
+        assert not wrong.alone.any()
+
+
+def test_zeros_on_an_edge_and_zeros_that_are_double():
+    edge = [form(lambda x, y: x + 0 * y), form(lambda x, y: y - 0.5 + x * x)]
+    found = zeros(edge, np.array([[0.0, 0.5]]), 500)
+    assert found.alone.all()
+    assert not found.open
+    double = [form(lambda x, y: (x - 0.5) ** 2 + 0 * y), form(lambda x, y: y - 0.5 + 0 * x)]
+    found = zeros(double, np.array([[0.5, 0.5]]), 500)
+    assert not found.alone.any()
+    assert found.open
 
 
 @pytest.mark.parametrize("make", [quintrig.torus, quintrig.enneper, quintrig.catenoid, quintrig.hyperbolic_paraboloid])
@@ -97,6 +164,7 @@ def test_surfaces_without_umbilics_have_none(make):
     found = umbilics(make())
     assert len(found) == 0
     assert found.sums[0]["agree"] is True
+    assert found.complete is (make is not quintrig.catenoid)  # which has no forms
 
 
 def test_the_command_prints_the_same(tmp_path):
@@ -105,7 +173,7 @@ def test_the_command_prints_the_same(tmp_path):
     told = json.loads(command("umbilics", file, "--json").out)
     assert {"patch", "u", "v", "point", "curvature", "index", "type"} <= set(told["umbilics"][0])
     assert len(told["umbilics"]) == 4
-    assert told["complete"] in (True, False)
+    assert told["complete"] is True
     said = command("umbilics", file)
     assert said.code == 0
     assert said.out.count("lemon") == 4

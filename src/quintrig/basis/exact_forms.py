@@ -54,6 +54,17 @@ class Span:
             share = np.arctan2(x * math.sin(k), 1.0 - x + x * math.cos(k)) / k
         return np.clip(self.start + (self.end - self.start) * share, self.start, self.end)
 
+    def place(self, t: FloatArray) -> FloatArray:
+        """Return the x at which ``parameter`` is t, rounded; beyond [0, 1] for t beyond the span."""
+        share = (t - self.start) / (self.end - self.start)
+        if not self.angle:
+            return share
+        tangent = np.tan(0.5 * self.angle * share)
+        if self.unit is RIGHT:
+            return tangent
+        k = 0.5 * self.angle
+        return tangent / (math.sin(k) + tangent * (1.0 - math.cos(k)))
+
     def raised(self, degree: int, unit: Exact) -> Exact:
         """Return the columns in a higher degree; NotRationalError where σ has no power of that degree."""
         return np.stack([raised(column, degree, unit) for column in self.columns.T], axis=-1)

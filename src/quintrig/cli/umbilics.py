@@ -1,6 +1,7 @@
 """``quintrig umbilics``: where κ1 = κ2."""
 
 import json
+import math
 from typing import Annotated
 
 import typer
@@ -31,7 +32,7 @@ def umbilics(
 
     Each has its index (half turns of the lines of curvature around it) and type: star (-1/2), lemon or monstar (+1/2),
     planar where the curvature is 0 too. Curves and regions of umbilics are told as such, and the sum of the indices is
-    checked against how the directions turn along the boundary.
+    checked against how the directions turn along the boundary. Where it can be, it is proved that there are no others.
     """
     from quintrig.interrogation.umbilics import umbilics as find
 
@@ -44,7 +45,7 @@ def umbilics(
     for one in found.umbilics:
         point = ", ".join(f"{x:.6g}" for x in one.point.tolist())
         session.emit(
-            f"{printable(one.patch)}: {one.type}, index {one.index:+g}, at (u, v) = ({one.u:.9g}, {one.v:.9g}), "
+            f"{printable(one.patch)}: {one.type}, index {_index(one.index)}, at (u, v) = ({one.u:.9g}, {one.v:.9g}), "
             f"point ({point}), curvature {one.curvature:.6g}{unit}"
         )
     ones = "1 isolated umbilic" if len(found) == 1 else f"{len(found)} isolated umbilics"
@@ -59,3 +60,7 @@ def umbilics(
         session.emit(f"{printable(str(told['patch']))}: {both}, {agree}")
     for note in found.notes:
         session.remark(note)
+
+
+def _index(index: float) -> str:
+    return "unknown" if math.isnan(index) else f"{index:+g}"

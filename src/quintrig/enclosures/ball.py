@@ -149,13 +149,28 @@ def convolution(x: FloatArray, y: FloatArray) -> FloatArray:
     rows, columns = y.shape
     wide = np.zeros((rows, columns + 2 * (m - 1)))
     wide[:, m - 1 : m - 1 + columns] = y
-    shifted = np.lib.stride_tricks.sliding_window_view(wide, m, axis=1)[:, :, ::-1]  # [k, l, j] is y[k, l - j]
-    lines = x @ shifted.reshape(-1, m).T
-    lines = lines.reshape(n, rows, columns + m - 1)
+    shifted = np.lib.stride_tricks.sliding_window_view(wide, columns + m - 1, axis=1)[
+        :, ::-1
+    ]  # [k, j, l] is y[k, l - j]
+    lines = x @ np.ascontiguousarray(
+        shifted
+    )  # row by row: products so small take no threads, which wait for each other
     result: FloatArray = np.zeros((n + rows - 1, columns + m - 1))
-    for i in range(n):
-        result[i : i + rows] += lines[i]
+    for k in range(rows):
+        result[k : k + n] += lines[k]
     return result
+
+
+_ALONE = 1 << 18
+"""Multiplications below which a library of linear algebra takes no threads."""
+
+
+def product(x: FloatArray, y: FloatArray) -> FloatArray:
+    """Return the matrix product, over blocks of rows: threads for products so small would only wait for each other."""
+    rows = max(1, _ALONE // (y.shape[-2] * y.shape[-1]))
+    if x.shape[-2] <= rows:
+        return x @ y
+    return np.concatenate([x[..., i : i + rows, :] @ y for i in range(0, x.shape[-2], rows)], axis=-2)
 
 
 Pair = tuple[FloatArray, FloatArray]

@@ -11,7 +11,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from quintrig.enclosures.ball import LEAST, UP, Ball, bound
+from quintrig.enclosures.ball import LEAST, UP, Ball, bound, product
 from quintrig.support.arrays import BoolArray, FloatArray
 
 Enclose = Callable[[FloatArray, FloatArray], tuple[FloatArray, FloatArray]]
@@ -67,9 +67,12 @@ class Boxes:
             [np.stack([ends_[:, i, 0], ends_[:, j, 1]], axis=-1) for i in (0, 1) for j in (0, 1)], 1
         ).reshape(-1, 2)
 
-    def halved(self) -> "Boxes":
-        """Return the halves of all boxes, each cut along the side over which its coefficients differ more."""
-        values = self._relative()
+    def halved(self, quotients: bool = True) -> "Boxes":
+        """Return the halves of all boxes, each cut along the side over which its coefficients differ more.
+
+        With ``quotients`` several forms count by how they differ when divided by the second.
+        """
+        values = self._relative() if quotients else self.middle
         size = np.abs(values).max(axis=(2, 3), initial=LEAST)
         along, across = (
             (np.abs(np.diff(values, axis=axis)).max(axis=(2, 3), initial=0.0) / size).max(axis=1) * values.shape[axis]
@@ -100,9 +103,9 @@ class Boxes:
         parts: list[tuple[FloatArray, FloatArray]] = []
         for matrix in (first, first[::-1, ::-1]):
             if axis:
-                middle, radius = self.middle @ matrix.T, error @ matrix.T
+                middle, radius = product(self.middle, matrix.T), product(error, matrix.T)
             else:
-                middle, radius = matrix @ self.middle, matrix @ error
+                middle, radius = product(matrix, self.middle), product(matrix, error)
             parts.append((middle, (radius + LEAST * (radius > 0.0)) * UP))
         centre = 0.5 * (self.low[:, axis] + self.high[:, axis])
         low, high = self.low.copy(), self.high.copy()
@@ -118,7 +121,7 @@ class Boxes:
         """Return bounds of the forms at a place of the first box, (1, forms, 1, 1)."""
         x, y = ((np.array([x, y]) - self.low[0]) / (self.high[0] - self.low[0])).tolist()
         n, m = self.middle.shape[2] - 1, self.middle.shape[3] - 1
-        left, right = _powers(n, x), _powers(m, y)
+        left, right = bernstein(n, x), bernstein(m, y)
         off = bound(2 * (n + m) + 8)
         middle = left @ self.middle[0] @ right
         radius = left @ (self.radius[0] + off * np.abs(self.middle[0])) @ right
@@ -149,14 +152,7 @@ def _binomials(n: int) -> FloatArray:
     return np.array([float(math.comb(n, k)) for k in range(n + 1)])
 
 
-def _powers(n: int, x: float) -> FloatArray:
-    """Return the Bernstein polynomials at x, each off by at most 2n + 4 units of roundoff."""
-    k = range(n + 1)
-    return _binomials(n) * np.array([_power(1.0 - x, n - i) * _power(x, i) for i in k])
-
-
-def _power(x: float, n: int) -> float:
-    result = 1.0
-    for _ in range(n):
-        result *= x
-    return result
+def bernstein(n: int, x: float) -> FloatArray:
+    """Return the Bernstein polynomials at x (n + 1,), each off by at most 2n + 4 units of roundoff."""
+    ends_ = [np.multiply.accumulate(np.concatenate([[1.0], np.full(n, end)])) for end in (1.0 - x, x)]
+    return _binomials(n) * ends_[0][::-1] * ends_[1]

@@ -55,6 +55,10 @@ class Chart:
         """Return u, v at the chart's own parameters, each from 0 to 1, rounded."""
         return self.u.span.parameter(x), self.v.span.parameter(y)
 
+    def places(self, u: FloatArray, v: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Return the chart's own parameters at u, v, rounded; beyond 0 and 1 where these lie beyond the chart."""
+        return self.u.span.place(u), self.v.span.place(v)
+
 
 def charts(surface: Surface) -> Iterator[Chart]:
     """Yield the charts of a surface; NotRationalError where its rows or functions are no exact forms."""

@@ -72,13 +72,13 @@ def principal(mean: Interval, gauss: Interval) -> tuple[Interval, Interval]:
     second = np.nan_to_num(second[0], nan=-np.inf), np.nan_to_num(second[1], nan=np.inf)
     # κ1 κ2 = K: where H and R cancel, their difference is K over their sum.
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        other = _over(gauss, first)
+        other = over(gauss, first)
         use = first[0] > 0.0
         second = (
             np.where(use, np.fmax(second[0], other[0]), second[0]),
             np.where(use, np.fmin(second[1], other[1]), second[1]),
         )
-        other = _over((-gauss[1], -gauss[0]), (-second[1], -second[0]))
+        other = over((-gauss[1], -gauss[0]), (-second[1], -second[0]))
         use = second[1] < 0.0
         first = (
             np.where(use, np.fmax(first[0], other[0]), first[0]),
@@ -93,7 +93,7 @@ def principal(mean: Interval, gauss: Interval) -> tuple[Interval, Interval]:
     return first, second
 
 
-def _over(top: Interval, bottom: Interval) -> Interval:
+def over(top: Interval, bottom: Interval) -> Interval:
     """Return bounds of x / y, y > 0."""
     low = np.where(top[0] >= 0.0, top[0] / bottom[1], top[0] / bottom[0])
     high = np.where(top[1] <= 0.0, top[1] / bottom[1], top[1] / bottom[0])

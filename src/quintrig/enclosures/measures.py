@@ -8,9 +8,11 @@ import numpy as np
 
 from quintrig.basis.exact_numbers import fractions
 from quintrig.enclosures import intervals
+from quintrig.enclosures.ball import Edges
 from quintrig.enclosures.boxes import Enclose
 from quintrig.enclosures.intervals import Interval
-from quintrig.enclosures.shape import Form, Shape, cancelled
+from quintrig.enclosures.pairs import Pairs, both
+from quintrig.enclosures.shape import Form, Shape, cancelled, joint, less
 from quintrig.support.arrays import FloatArray
 
 Problem = tuple[list[Form], Enclose]
@@ -62,52 +64,95 @@ def gauss(shape: Shape, sign: float, direction: FloatArray) -> Problem:
     def enclose(low: FloatArray, high: FloatArray) -> Interval:
         return _scaled(intervals.quotient((low[:, 0], high[:, 0]), (low[:, 1], high[:, 1])), per)
 
-    return _equal(shape, forms), enclose
+    return equal(shape, forms), enclose
 
 
-def curvatures(
-    shape: Shape, sign: float, direction: FloatArray, of: Callable[[Interval, Interval], Interval]
-) -> Problem:
-    """Return what K and H are quotients of, for a quantity of both.
+def mean(shape: Shape, sign: float, direction: FloatArray) -> Problem:
+    """Return what H is a quotient of.
 
     H = Q / (2 f g D √D), and 2d √D = (D + d²) / φ, where φ = (D + d²) / (2d √D) >= 1 for any d > 0. With d² from the
     range of D in a box, φ is 1 to second order in its size, and so is H = φ d Q / (f g D (D + d²)). Where Q is of odd
     degree, Q ℓ and D ℓ² under the root take their place, ℓ = 1 being a linear form.
     """
-    top, edges = cancelled(shape.gauss, shape.both)
-    mean, left = cancelled(shape.mean, shape.both)
-    mean, area = shape.weighted(mean if sign > 0.0 else -mean, 2), shape.area
-    below = area.multiplied(left)
-    mean, under = shape.even(mean, below, area)
-    squared = area * area
-    forms = [shape.weighted(top, 4), squared.multiplied(edges), mean]
-    plain = not any(edges) and not any(left) and under is area
-    forms += [area] if plain else [below * under, below, under, shape.arithmetic.constant(1)]
-    places = (1, 3, 1, 3) if plain else (3, 4, 5, 6)  # D is D² / D, or the D under the root over 1
+    top, left = _mean_top(shape, sign)
+    below = shape.area.multiplied(left)
+    top, under = shape.even(top, below, shape.area)
     scale = float(shape.chart.scale)
 
     def enclose(low: FloatArray, high: FloatArray) -> Interval:
-        k = intervals.quotient((low[:, 0], high[:, 0]), (low[:, 1], high[:, 1]))
-        h = _mean((low[:, 2], high[:, 2]), *((low[:, place], high[:, place]) for place in places))
-        return of(_scaled(h, 1.0 / scale), _scaled(k, scale**-2))
+        top, product, below, under, one = ((low[:, form], high[:, form]) for form in (0, 1, 2, 3, 4))
+        square, factor = _root_factor(intervals.quotient(under, one))
+        d, wide = np.sqrt(square), square[:, None, None]
+        least, most = intervals.quotient(top, _sum(product, below, wide))
+        return _scaled(_grown(intervals.outward(d * least, d * most), factor), 1.0 / scale)
 
-    return _equal(shape, forms), enclose
+    return equal(shape, [top, below * under, below, under, shape.arithmetic.constant(1)]), enclose
 
 
-def _mean(top: Interval, product: Interval, below: Interval, under: Interval, one: Interval) -> Interval:
-    """Return bounds of H from those of Q, f g D², f g D, and two forms whose quotient is the D under the root."""
-    least, most = intervals.quotient(under, one)
+def curvatures(
+    shape: Shape, sign: float, direction: FloatArray, of: Callable[[Interval, Interval, Pairs], Interval]
+) -> Problem:
+    """Return what K and H are quotients of, with one denominator, for a quantity of both.
+
+    With the Q, D and φ of ``mean``, H = (Q D + d² Q) / (4 d f g D² φ).
+    """
+    top, edges = cancelled(shape.gauss, shape.both)
+    mean, left = _mean_top(shape, sign)
+    most = joint(edges, left)
+    below = shape.area.multiplied(left)
+    gauss = shape.even(mean, below, shape.weighted(top, 4).multiplied(less(most, edges)))[1]
+    mean, under = shape.even(mean, below, shape.area)
+    mean = mean.multiplied(less(most, left))
+    forms = [gauss, (shape.area * under).multiplied(most), mean * under, mean, under, shape.arithmetic.constant(1)]
+    scale = float(shape.chart.scale)
+
+    def enclose(low: FloatArray, high: FloatArray) -> Interval:
+        gauss, below, first, second, under, one = ((low[:, form], high[:, form]) for form in range(6))
+        square, factor = _root_factor(intervals.quotient(under, one))
+        four = 4.0 * np.sqrt(square)[:, None, None]
+        low, high = _sum(first, second, square[:, None, None])
+        top = _scaled(intervals.outward(low / four, high / four), 1.0 / scale)
+        gauss = _scaled(gauss, scale**-2)
+        pairs = Pairs.of(top, gauss, below, factor)
+        return of(_shrunk(intervals.quotient(top, below), factor), intervals.quotient(gauss, below), pairs)
+
+    return equal(shape, forms), enclose
+
+
+def _mean_top(shape: Shape, sign: float) -> tuple[Form, Edges]:
+    """Return Q w², and the f g that is left below it."""
+    mean, left = cancelled(shape.mean, shape.both)
+    return shape.weighted(mean if sign > 0.0 else -mean, 2), left
+
+
+def _root_factor(under: Interval) -> tuple[FloatArray, FloatArray]:
+    """Return a d² for each box, and the largest φ, from the range of the D under the root; infinite where unknown."""
+    least, most = under
     known = np.isfinite(most) & (most > 0.0)
     square = np.where(known, 0.5 * (np.maximum(least, 0.0) + most), 1.0)  # any number above 0 will do
-    d, wide = np.sqrt(square), square[:, None, None]
-    slack = 2.0**-50 * (np.abs(product[0]) + np.abs(product[1]) + wide * (np.abs(below[0]) + np.abs(below[1])))
-    low, high = product[0] + wide * below[0], product[1] + wide * below[1]
-    low, high = intervals.quotient(top, (low - slack * (low != 0.0), high + slack * (high != 0.0)))
-    low, high = intervals.outward(d * low, d * high)
     with np.errstate(divide="ignore", invalid="ignore"):
+        d = np.sqrt(square)
         grown = [np.where(least > 0.0, (end + square) / (2.0 * d * np.sqrt(end)), np.inf) for end in (least, most)]
-        factor = np.maximum(*grown) * (1.0 + 2.0**-48)
-        return np.where(low < 0.0, low * factor, low), np.where(high > 0.0, high * factor, high)
+        return square, np.maximum(*grown) * (1.0 + 2.0**-48)
+
+
+def _sum(x: Interval, y: Interval, factor: FloatArray) -> Interval:
+    """Return x + factor y, factor > 0, rounded outwards; exactly 0 where both are."""
+    slack = 2.0**-50 * (np.abs(x[0]) + np.abs(x[1]) + factor * (np.abs(y[0]) + np.abs(y[1])))
+    low, high = x[0] + factor * y[0], x[1] + factor * y[1]
+    return low - slack * (low != 0.0), high + slack * (high != 0.0)
+
+
+def _grown(x: Interval, factor: FloatArray) -> Interval:
+    """Return x times what lies between 1 and a factor."""
+    with np.errstate(invalid="ignore"):
+        return np.where(x[0] < 0.0, x[0] * factor, x[0]), np.where(x[1] > 0.0, x[1] * factor, x[1])
+
+
+def _shrunk(x: Interval, factor: FloatArray) -> Interval:
+    """Return x over what lies between 1 and a factor."""
+    with np.errstate(invalid="ignore"):
+        return np.where(x[0] > 0.0, x[0] / factor, x[0]), np.where(x[1] < 0.0, x[1] / factor, x[1])
 
 
 def slope(shape: Shape, sign: float, direction: FloatArray) -> Problem:
@@ -119,7 +164,7 @@ def slope(shape: Shape, sign: float, direction: FloatArray) -> Problem:
     def enclose(low: FloatArray, high: FloatArray) -> Interval:
         return tilt(*intervals.root(*intervals.quotient((low[:, 0], high[:, 0]), (low[:, 1], high[:, 1]))))
 
-    return _equal(shape, forms), enclose
+    return equal(shape, forms), enclose
 
 
 def draft(shape: Shape, sign: float, direction: FloatArray) -> Problem:
@@ -134,7 +179,7 @@ def draft(shape: Shape, sign: float, direction: FloatArray) -> Problem:
             below, above = -above, -below
         return elevation(np.where(below >= 0.0, least, -most), np.where(above <= 0.0, -least, most))
 
-    return _equal(shape, [*forms, across]), enclose
+    return equal(shape, [*forms, across]), enclose
 
 
 def draft_sign(shape: Shape, sign: float, direction: FloatArray) -> Problem:
@@ -172,7 +217,7 @@ def _scaled(interval: Interval, factor: float) -> Interval:
     return interval[0] * factor, interval[1] * factor  # a power of 2: exact
 
 
-def _equal(shape: Shape, forms: Sequence[Form]) -> list[Form]:
+def equal(shape: Shape, forms: Sequence[Form]) -> list[Form]:
     """Return the forms in one bidegree.
 
     Those of a quotient have degrees that are odd together, or even; the others' are made so by a positive factor.
@@ -182,34 +227,39 @@ def _equal(shape: Shape, forms: Sequence[Form]) -> list[Form]:
     return [shape.raised(form, to) for form in alike]
 
 
-def _of_both(pick: Callable[[Interval, Interval], Interval]) -> Callable[[Shape, float, FloatArray], Problem]:
+def _of_both(pick: Callable[[Interval, Interval, Pairs], Interval]) -> Callable[[Shape, float, FloatArray], Problem]:
     return partial(curvatures, of=pick)
 
 
-def _mean_of(mean: Interval, gauss: Interval) -> Interval:
-    return mean
+def _principal(mean: Interval, gauss: Interval, pairs: Pairs) -> tuple[Interval, Interval]:
+    first, second = zip(intervals.principal(mean, gauss), pairs.principal(), strict=True)
+    return both(*first), both(*second)
 
 
-def _k1(mean: Interval, gauss: Interval) -> Interval:
-    return intervals.principal(mean, gauss)[0]
+def _k1(mean: Interval, gauss: Interval, pairs: Pairs) -> Interval:
+    return _principal(mean, gauss, pairs)[0]
 
 
-def _k2(mean: Interval, gauss: Interval) -> Interval:
-    return intervals.principal(mean, gauss)[1]
+def _k2(mean: Interval, gauss: Interval, pairs: Pairs) -> Interval:
+    return _principal(mean, gauss, pairs)[1]
 
 
-def _radius(mean: Interval, gauss: Interval) -> Interval:
-    return intervals.inverse(*intervals.largest(*intervals.principal(mean, gauss)))
+def _curvedness(mean: Interval, gauss: Interval, pairs: Pairs) -> Interval:
+    return both(intervals.curvedness(mean, gauss), pairs.curvedness())
+
+
+def _radius(mean: Interval, gauss: Interval, pairs: Pairs) -> Interval:
+    return intervals.inverse(*intervals.largest(*_principal(mean, gauss, pairs)))
 
 
 MEASURES: dict[str, Measure] = {
     measure.key: measure
     for measure in (
         Measure("gaussian", -2, gauss, gauss_sign),
-        Measure("mean", -1, _of_both(_mean_of), mean_sign),
+        Measure("mean", -1, mean, mean_sign),
         Measure("k1", -1, _of_both(_k1)),
         Measure("k2", -1, _of_both(_k2)),
-        Measure("curvedness", -1, _of_both(intervals.curvedness)),
+        Measure("curvedness", -1, _of_both(_curvedness)),
         Measure("curvature_radius", 1, _of_both(_radius)),
         Measure("slope", 0, slope, degrees=True),
         Measure("draft", 0, draft, draft_sign, degrees=True),

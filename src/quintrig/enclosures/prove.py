@@ -8,7 +8,7 @@ import numpy as np
 
 from quintrig.basis.rational import NotRationalError
 from quintrig.enclosures import hulls, strips
-from quintrig.enclosures.ball import Ball, Edges
+from quintrig.enclosures.ball import Ball
 from quintrig.enclosures.boxes import Boxes, Enclose
 from quintrig.enclosures.charts import Chart, charts
 from quintrig.enclosures.claims import Claim, read
@@ -214,7 +214,7 @@ class Prover:
         verdict = self._settled(claim, REGULAR.problem, True, Range(0.0, np.inf, (True, False)))
         if verdict.verdict == "proved" and claim.word == "regular":
             for chart, balls, wholes in self._each:
-                if any(_collapsing(balls)):
+                if any(balls.collapsing):
                     place = apex(chart, wholes)
                     if place:
                         witness = self._witness(chart, Search(place=place, low=0.0, high=0.0), claim)
@@ -259,12 +259,6 @@ def _edges(chart: Chart) -> tuple[str, str, str, str]:
     ends = (("u", chart.u.span.start), ("u", chart.u.span.end), ("v", chart.v.span.start), ("v", chart.v.span.end))
     a, b, c, d = (f"{name} = {value:g}" for name, value in ends)
     return a, b, c, d
-
-
-def _collapsing(shape: Shape) -> Edges:
-    """Return at which edges all of the edge is one point: where the tangent along it vanishes."""
-    first, second = shape.factors
-    return (second[0], second[1], first[2], first[3])
 
 
 def _regions(chart: Chart, found: Search) -> list[Region]:

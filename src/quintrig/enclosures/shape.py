@@ -89,7 +89,7 @@ class Shape:
                 return Shape(self.chart, Whole).factors
             except InexactError:
                 pass
-        return _common(first), _common(second)
+        return shared(first), shared(second)
 
     @cached_property
     def x(self) -> Vector:
@@ -162,6 +162,12 @@ class Shape:
         """The exponents of f g."""
         return _sum(*self.factors)
 
+    @property
+    def collapsing(self) -> Edges:
+        """At which edges all of the edge is one point: where the tangent along it vanishes."""
+        first, second = self.factors
+        return (second[0], second[1], first[2], first[3])
+
     def even(self, mean: Form, below: Form, area: Form) -> tuple[Form, Form]:
         """Return Q and the D under the root, made of a degree whose powers of σ are whole."""
         for axis in (0, 1):
@@ -197,11 +203,11 @@ def cancelled(numerator: Form, edges: Edges) -> tuple[Form, Edges]:
     if not any(edges):
         return numerator, edges
     common = _least([numerator.edges(), edges])
-    left: Edges = (edges[0] - common[0], edges[1] - common[1], edges[2] - common[2], edges[3] - common[3])
-    return numerator.divided(common), left
+    return numerator.divided(common), less(edges, common)
 
 
-def _common(vector: Vector) -> Edges:
+def shared(vector: Vector) -> Edges:
+    """Return the powers of u, 1 - u, v and 1 - v that divide all of some forms."""
     return _least([part.edges() for part in vector if not part.vanishes])
 
 
@@ -215,6 +221,16 @@ def _may_vanish(vector: Vector) -> bool:
 def _least(found: list[Edges]) -> Edges:
     a, b, c, d = (min(each) for each in zip(*found, strict=True)) if found else FREE
     return a, b, c, d
+
+
+def joint(x: Edges, y: Edges) -> Edges:
+    """Return the larger powers of both."""
+    return max(x[0], y[0]), max(x[1], y[1]), max(x[2], y[2]), max(x[3], y[3])
+
+
+def less(x: Edges, y: Edges) -> Edges:
+    """Return the powers of a quotient."""
+    return x[0] - y[0], x[1] - y[1], x[2] - y[2], x[3] - y[3]
 
 
 def _sum(x: Edges, y: Edges) -> Edges:

@@ -31,11 +31,11 @@ def index_about(surface: Surface, uv: FloatArray, others: Sequence[FloatArray]) 
 
 def _rotation(surface: Surface, ring: FloatArray) -> float:
     """Return the turns of the principal directions, against e1, along a closed line (n, 2) of parameters."""
-    turned = _turned(surface, ring)
-    return round(2.0 * turned) / 2.0 if np.isfinite(turned) else turned
+    found = turned(surface, ring)
+    return round(2.0 * found) / 2.0 if np.isfinite(found) else found
 
 
-def _turned(surface: Surface, line: FloatArray) -> float:
+def turned(surface: Surface, line: FloatArray) -> float:
     """Return the turn of the principal directions against e1 along a line (n, 2); NaN where it cannot be told."""
     with np.errstate(divide="ignore", invalid="ignore"):
         a, b = Local.at(surface, *line.T).half
@@ -56,7 +56,7 @@ def _along_loops(surface: Surface) -> tuple[float, list[tuple[int, float]]]:
     areas = [_area(loop) for loop in loops]
     outer = int(np.argmax(np.abs(areas)))
     senses = [(1.0 if area > 0.0 else -1.0) * (1.0 if k == outer else -1.0) for k, area in enumerate(areas)]
-    return sum(sense * _turned(surface, loop) for sense, loop in zip(senses, loops, strict=True)), []
+    return sum(sense * turned(surface, loop) for sense, loop in zip(senses, loops, strict=True)), []
 
 
 def _along_sides(surface: Surface) -> tuple[float, list[tuple[int, float]]]:
@@ -77,7 +77,7 @@ def _along_sides(surface: Surface) -> tuple[float, list[tuple[int, float]]]:
         if np.abs(points[axis, 0.0] - points[axis, 1.0]).max() <= RIM * surface.size and not poles[axis, end]:
             continue
         sense = 1.0 if (axis == 0) == (end == 1.0) else -1.0  # against the clock: up at u = 1, back at v = 1
-        total += sense * _turned(surface, low + line * (high - low))
+        total += sense * turned(surface, low + line * (high - low))
         free.append((axis, end))
     return total, free
 

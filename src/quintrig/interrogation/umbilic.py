@@ -1,5 +1,6 @@
 """What is told of umbilics: the isolated ones, curves and regions of them, and all that there is on a model."""
 
+import math
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -13,7 +14,8 @@ Type = Literal["star", "lemon", "monstar", "planar", "other"]
 class Umbilic(Pickled):
     """An isolated umbilic: parameters, point (3,), curvature κ1 = κ2 (1/length), index and type.
 
-    ``directions`` are the angles in degrees from S_u in which lines of curvature leave it.
+    ``directions`` are the angles in degrees from S_u in which lines of curvature leave it. The index is NaN where it
+    cannot be told, as of an umbilic on an edge that is not a simple one.
     """
 
     patch: str
@@ -33,7 +35,7 @@ class Umbilic(Pickled):
             "v": self.v,
             "point": self.point.tolist(),
             "curvature": self.curvature,
-            "index": self.index,
+            "index": None if math.isnan(self.index) else self.index,
             "type": self.type,
             "directions": list(self.directions),
         }

@@ -2,26 +2,31 @@
 
 An umbilic is where the vector ((M11 - M22)/2, M12) of the shape operator vanishes. Seeds are the cells of a grid
 around which it turns, and its least values; Newton's iteration, with the derivative of the second form, does the rest
-(FORMULAS: index by D = ac - c² + bd - b²; Berry and Hannay 1977, Darboux 1896).
+(index by D = ac - c² + bd - b²; Berry and Hannay 1977, Darboux 1896). Then the search is proved: each umbilic is alone
+in a box and there is none elsewhere. What the proof leaves open is searched too.
 """
 
 from collections.abc import Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
+from quintrig.enclosures.umbilics import MOST, Umbilical, prove
 from quintrig.geometry.domain import face_grid
 from quintrig.geometry.surface import Surface
 from quintrig.geometry.trimmed import window
 from quintrig.interrogation.local import Local
 from quintrig.interrogation.rotation import RIM, along_boundary, index_about
 from quintrig.interrogation.umbilic import Region, Type, Umbilic, Umbilics
+from quintrig.interrogation.umbilic_pole import at_pole
 from quintrig.interrogation.umbilic_search import apart, beside, curve_through, is_flat, seeds_of, umbilics_near
 from quintrig.model.model import Model
 from quintrig.model.patch import Patch
 from quintrig.support.arrays import FloatArray
 
 _CELLS = 97
+_SEEDS = 100  # of what the proof leaves open
 _ROUND = 1e-9  # of the scale: a spread of κ1 and κ2 that is rounding
 _FLAT = 1e-7  # of 1 / size: a curvature this small is that of a planar point
 _FLAT_FORM = 1e-6  # of the square of the derivative: below it, an umbilic is not a simple one
@@ -29,15 +34,15 @@ _WEAK = 1e-4  # of the typical curvature by the size: a change of curvature of w
 
 
 def umbilics(subject: Surface | Patch | Model) -> Umbilics:
-    """Return the umbilics of a surface, or of all patches of a model."""
+    """Return the umbilics of a surface, or of all patches of a model, and whether these are proved to be all."""
     unit = subject.unit if isinstance(subject, Model) else ""
     found = [_of_patch(patch) for patch in patches_of(subject)]
     return Umbilics(
-        tuple(one for points, _, _, _ in found for one in points),
-        tuple(one for _, regions, _, _ in found for one in regions),
-        all(regions and regions[0].kind == "region" for _, regions, _, _ in found),
-        tuple(told for _, _, told, _ in found if told),
-        tuple(note for _, _, _, notes in found for note in notes),
+        tuple(one for each in found for one in each.umbilics),
+        tuple(one for each in found for one in each.regions),
+        all(each.complete for each in found),
+        tuple(each.told for each in found if each.told),
+        tuple(note for each in found for note in each.notes),
         unit,
     )
 
@@ -54,13 +59,21 @@ def patches_of(subject: Surface | Patch | Model) -> tuple[Patch, ...]:
     return (Patch.of(subject),)
 
 
-Found = tuple[list[Umbilic], list[Region], dict[str, Any], list[str]]
+@dataclass
+class _Found:
+    """What there is on a patch."""
+
+    umbilics: list[Umbilic] = field(default_factory=list[Umbilic])
+    regions: list[Region] = field(default_factory=list[Region])
+    complete: bool = False
+    told: dict[str, Any] = field(default_factory=dict[str, Any])
+    notes: list[str] = field(default_factory=list[str])
 
 
-def _of_patch(patch: Patch) -> Found:
+def _of_patch(patch: Patch) -> _Found:
     surface, name = patch.surface, patch.name
     if not surface.size > 0.0:
-        return [], [], {}, [f"{name}: a single point, which has no curvature"]
+        return _Found(notes=[f"{name}: a single point, which has no curvature"])
     u, v = face_grid(surface, _CELLS + 1, _CELLS + 1)
     with np.errstate(divide="ignore", invalid="ignore"):
         local = Local.at(surface, u, v)
@@ -69,17 +82,55 @@ def _of_patch(patch: Patch) -> Found:
     scale = np.abs(local.mean) + local.spread + 1.0 / surface.size
     defined = np.isfinite(local.spread) & inside
     if not defined.any():
-        return [], [], {}, [f"{name}: no point has a curvature"]
+        return _Found(notes=[f"{name}: no point has a curvature"])
     typical = float(np.median(scale[defined]))
     if (local.spread[defined] <= _ROUND * scale[defined]).all():
-        return [], [_whole(patch, local, defined)], {}, []
+        certain = prove(surface, np.zeros((0, 2)), 1)
+        return _Found([], [_whole(patch, local, defined)], certain is not None and certain.all)
     seeds = np.array(seeds_of(u[:, 0], v[0], a, b, scale, inside)).reshape(-1, 2)
-    met = [uv for uv in umbilics_near(surface, seeds, typical) if np.isfinite(uv).all()]
+    met = _met(surface, seeds, typical)
+    ones, regions, certain = _sorted_out(patch, met, typical)
+    if certain and len(certain.open) and not regions:
+        more = apart(surface, [*met, *_met(surface, _middles(certain.open), typical)])
+        if len(more) > len(apart(surface, met)):
+            ones, regions, certain = _sorted_out(patch, more, typical)
+    found = _Found(ones, regions)
+    poles = [at_pole(patch, axis, end) for axis, end in sorted(certain.poles)] if certain else []
+    found.complete = certain is not None and bool(certain.alone.all()) and not len(certain.open) and not regions
+    found.told = _compared(patch, ones, poles, regions)
+    found.umbilics = sorted([*ones, *poles], key=lambda one: (round(one.u, 9), round(one.v, 9)))
+    for axis, end in sorted(certain.untold) if certain else []:
+        found.notes.append(f"{name}: a tangent vanishes along {'uv'[axis]} = {end:g}; no umbilic is told on this edge")
+    if not np.isfinite(local.spread[inside]).all() and not found.complete:
+        found.notes.append(f"{name}: has singular points, at which no umbilic is told")
+    if found.told and found.told["agree"] is False:
+        found.notes.append(
+            f"{name}: the indices do not sum to the rotation along the boundary; look closer at this patch"
+        )
+    if not found.complete:
+        found.notes.append(f"{name}: {_why_not(certain, ones, regions)}")
+    return found
+
+
+def _met(surface: Surface, seeds: FloatArray, typical: float) -> list[FloatArray]:
+    return [uv for uv in umbilics_near(surface, seeds, typical) if np.isfinite(uv).all()]
+
+
+def _middles(rectangles: FloatArray) -> FloatArray:
+    """Return the middles of rectangles (n, 4) in u, v, spread evenly over them where there are many."""
+    middles = 0.5 * (rectangles[:, :2] + rectangles[:, 2:])
+    return middles[:: max(1, len(middles) // _SEEDS)]
+
+
+def _sorted_out(
+    patch: Patch, met: Sequence[FloatArray], typical: float
+) -> tuple[list[Umbilic], list[Region], Umbilical | None]:
+    """Return isolated umbilics, curves of them, and what is certain of both, for places found."""
+    surface = patch.surface
     simple: list[FloatArray] = []
     flat: list[FloatArray] = []
     for uv in apart(surface, met):
         (flat if is_flat(surface, uv) else simple).append(uv)
-    notes: list[str] = []
     regions: list[Region] = []
     for uv in flat:
         if any(beside(surface, uv, region.points) for region in regions):
@@ -90,18 +141,23 @@ def _of_patch(patch: Patch) -> Found:
         else:
             points = surface(*line.T)
             curvature = float(Local.at(surface, *line[len(line) // 2]).mean)
-            regions.append(Region(name, "curve", curvature, line, points))
+            regions.append(Region(patch.name, "curve", curvature, line, points))
     others = [uv for uv in simple if not any(beside(surface, uv, region.points) for region in regions)]
-    ones = [
-        _classified(patch, uv, others, typical)
-        for uv in sorted(others, key=lambda uv: (round(uv[0], 9), round(uv[1], 9)))
-    ]
-    told = _compared(patch, ones, regions)
-    if not np.isfinite(local.spread[inside]).all():
-        notes.append(f"{name}: has singular points, at which no umbilic is told")
-    if told and told["agree"] is False:
-        notes.append(f"{name}: the indices do not sum to the rotation along the boundary; look closer at this patch")
-    return ones, regions, told, notes
+    ones = [_classified(patch, uv, others, typical) for uv in others]
+    return ones, regions, prove(surface, np.array(others).reshape(-1, 2), 1 if regions else MOST)
+
+
+def _why_not(certain: Umbilical | None, ones: Sequence[Umbilic], regions: Sequence[Region]) -> str:
+    """Return why it is not proved that there are no other umbilics."""
+    if certain is None:
+        return "no proof, as its functions are neither polynomials nor trigonometric forms of one angle"
+    if regions:
+        return "no proof beside a curve of umbilics"
+    double = next((one for one, alone in zip(ones, certain.alone.tolist(), strict=True) if not alone), None)
+    if double:
+        return f"no proof around the umbilic at (u, v) = ({double.u:.6g}, {double.v:.6g}), which is not a simple one"
+    place = ", ".join(f"{x:.6g}" for x in (0.5 * (certain.open[0, :2] + certain.open[0, 2:])).tolist())
+    return f"{len(certain.open)} boxes of the proof are left open, one around (u, v) = ({place})"
 
 
 def _whole(patch: Patch, local: Local, defined: np.ndarray[Any, np.dtype[np.bool_]]) -> Region:
@@ -123,7 +179,7 @@ def _classified(patch: Patch, uv: FloatArray, others: Sequence[FloatArray], typi
     if not simple or np.sqrt(square) <= _WEAK * typical / surface.size:
         turned = index_about(surface, uv, others)
         simple = simple and turned in (index, None)
-        index = index if simple or turned is None else turned
+        index = index if simple else float("nan") if turned is None else turned
     roots = _roots(b, 2.0 * c - a, d - 2.0 * b, -c)
     kind: Type = "other"
     if abs(curvature) <= flat_at:
@@ -163,15 +219,22 @@ def _roots(p: float, q: float, r: float, s: float) -> list[float]:
     return sorted(angle % np.pi for angle in found)
 
 
-def _compared(patch: Patch, found: Sequence[Umbilic], regions: Sequence[Region]) -> dict[str, Any]:
-    """Return the sum of the indices and the rotation along the boundary of the patch, where both mean something."""
+def _compared(
+    patch: Patch, found: Sequence[Umbilic], poles: Sequence[Umbilic], regions: Sequence[Region]
+) -> dict[str, Any]:
+    """Return the sum of the indices and the rotation along the boundary of the patch, where both mean something.
+
+    Poles that are umbilics are counted on both sides: with their index, and as no part of the boundary.
+    """
     surface = patch.surface
     if regions:
         return {}
     total, free = along_boundary(surface)
+    around = sum(one.index for one in poles)
+    total += around
     rounded = round(2.0 * total) / 2.0 if np.isfinite(total) and abs(2.0 * total - round(2.0 * total)) < 0.2 else None
     on_rim = any(abs((one.u, one.v)[axis] - end) <= RIM for one in found for axis, end in free)
-    summed = float(sum(one.index for one in found))
+    summed = float(sum(one.index for one in found)) + around
     known = rounded is not None and bool(np.isfinite(summed)) and not on_rim
     return {
         "patch": patch.name,

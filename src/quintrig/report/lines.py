@@ -1,11 +1,14 @@
 """Lines of curvature and umbilics of a patch: the picture, and what is said beside it."""
 
+import math
+
 from matplotlib.figure import Figure
 
 from quintrig.figure import Mark, Scene, space_picture
 from quintrig.figure.read_lines import traces_of
 from quintrig.figure.style import STANDARD, Style
 from quintrig.interrogation.find import lines
+from quintrig.interrogation.umbilic import Umbilic
 from quintrig.interrogation.umbilics import umbilics
 from quintrig.model.patch import Patch
 from quintrig.report.facts import Facts
@@ -23,6 +26,10 @@ def lines_picture(patch: Patch, unit: str, width: float, style: Style = STANDARD
     return space_picture(surface, None, Scene(traces=traces, marks=marks), unit=unit, width=width, style=style)
 
 
+def _of_index(one: Umbilic) -> str:
+    return "" if math.isnan(one.index) else f" of index {one.index:+g}"
+
+
 def umbilic_words(facts: Facts) -> str:
     """Say how many umbilics there are, of which types, and whether their indices sum as they must."""
     found = umbilics(facts.patch)
@@ -31,15 +38,15 @@ def umbilic_words(facts: Facts) -> str:
         return "Here every point is an umbilic: no direction is principal, and there are no such lines."
     curves = sum(region.kind == "curve" for region in found.regions)
     if not found.umbilics:
-        said = "No isolated umbilic was found."
+        said = "There is no isolated umbilic, proved." if found.complete else "No isolated umbilic was found."
     else:
         shown = found.umbilics[:_TOLD]
         ones = "; ".join(
-            f"{one.type} of index {one.index:+g} at (u, v) = ({one.u:.4g}, {one.v:.4g}), κ = {one.curvature:.3g}{unit}"
+            f"{one.type}{_of_index(one)} at (u, v) = ({one.u:.4g}, {one.v:.4g}), κ = {one.curvature:.3g}{unit}"
             for one in shown
         )
         more = f" and {len(found) - _TOLD} more" if len(found) > _TOLD else ""
-        said = f"Umbilics: {ones}{more}."
+        said = f"Umbilics: {ones}{more}{'; it is proved that there are no others' if found.complete else ''}."
     if curves:
         said += f" There {'is a curve' if curves == 1 else f'are {curves} curves'} of umbilics."
     for told in found.sums:
