@@ -127,9 +127,9 @@ def compare(
         seams = seam_effect(loaded, one.name, sets, [v.label for v in found]) if len(loaded.patches) > 1 else None
         results = {} if out is None else _results(out, found, table, keys, seen, look, progress, seams)
     if out is None:
-        print_table(table, session.output())
+        print_table(table)
         if seams is not None:
-            print_table(seams, session.output())
+            print_table(seams)
         return
     for path, content in results.items():
         write_whole(path, content)
@@ -143,7 +143,7 @@ def _of_curve(curves: "Sequence[NamedCurve]", out: Path | None, title: str, unit
     found = [curve_variant(one, own=index == 0) for index, one in enumerate(curves)]
     table = curve_measures(found, unit, title)
     if out is None:
-        print_table(table, session.output())
+        print_table(table)
         return
     from quintrig.report.shape_effect_page import curve_pictures
     from quintrig.support.files import write_whole
@@ -174,8 +174,8 @@ def _whole(model: "Model", shape: list[str] | None) -> None:
             found = [variant(changed, model.unit, own=k == 0) for k, changed in enumerate(sets)]
             tables.append((one.name, intensities(found)))
             seams.append((one.name, seam_effect(model, one.name, sets, [v.label for v in found])))
-    print_table(stacked(tables, f"{model.name}: effect of the shape parameters"), session.output())
-    print_table(stacked(seams, f"{model.name}: seams"), session.output())
+    print_table(stacked(tables, f"{model.name}: effect of the shape parameters"))
+    print_table(stacked(seams, f"{model.name}: seams"))
 
 
 def _results(

@@ -130,7 +130,7 @@ def _deliver(
     from quintrig.exchange.tables import WRITERS
 
     if chosen == "text":
-        print_table(result, session.output())
+        print_table(result)
         return
     text = to_latex(result, digits=digits, siunitx=siunitx) if chosen == "latex" else WRITERS[chosen](result)
     session.deliver(text, output, *sources)
