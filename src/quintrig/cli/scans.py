@@ -25,6 +25,8 @@ Degree = Annotated[
 
 def is_scan(path: Path) -> bool:
     """Return whether a file is read as a scan, by its ending."""
+    if path.suffix.lower() in (".toml", ".json"):
+        return False
     from quintrig.exchange.scans import SCAN_SUFFIXES
 
     return path.suffix.lower() in SCAN_SUFFIXES
