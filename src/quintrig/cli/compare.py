@@ -16,7 +16,6 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from quintrig.analysis.table import Table
-    from quintrig.figure import View
     from quintrig.figure.style import Style
     from quintrig.model.model import Model
     from quintrig.model.patch import NamedCurve
@@ -68,7 +67,6 @@ def compare(
     quantities: Annotated[
         str, typer.Option("-q", "--quantities", metavar="KEYS", help="What the pictures show.")
     ] = "gaussian,mean",
-    view: Annotated[str, typer.Option(metavar="VIEW", help="iso, side, back, top, or AZIMUTH,ELEVATION.")] = "iso",
     figures: Annotated[
         str | None,
         typer.Option(
@@ -85,14 +83,14 @@ def compare(
     several patches, of its seams too: what follows the patch by [[join]] tables is carried along. In a folder the
     pictures and the tables are files too.
     """
-    from quintrig.figure.plot import read_quantities, read_view
+    from quintrig.figure.plot import read_quantities
     from quintrig.figure.save import formats_of
     from quintrig.figure.style import STANDARD
 
     alone = out is not None and out.suffix.lower() == ".html"
     formats = formats_of((("" if alone else "png") if figures is None else figures).split(","))
     look = _Look(formats, style or STANDARD)
-    keys, seen = read_quantities([word.strip() for word in quantities.split(",")]), read_view(view)
+    keys = read_quantities(session.words(quantities))
     loaded = session.load_any(model)
     from quintrig.model.patch import NamedCurve
     from quintrig.shaping.seam_effect import seam_effect
@@ -125,7 +123,7 @@ def compare(
             found.append(variant(changed, loaded.unit, own=index == 0))
         table = intensities(found, title)
         seams = seam_effect(loaded, one.name, sets, [v.label for v in found]) if len(loaded.patches) > 1 else None
-        results = {} if out is None else _results(out, found, table, keys, seen, look, progress, seams)
+        results = {} if out is None else _results(out, found, table, keys, look, progress, seams)
     if out is None:
         print_table(table)
         if seams is not None:
@@ -183,7 +181,6 @@ def _results(
     found: "Sequence[Variant]",
     table: "Table",
     keys: "Sequence[str | None]",
-    view: "View",
     look: "_Look",
     progress: "Callable[[str, int, int], None]",
     seams: "Table | None" = None,
@@ -191,7 +188,7 @@ def _results(
     """Return the files to write, the page first: all is made before anything is written."""
     from quintrig.report.shape_effect_page import pictures
 
-    drawn = pictures(found, keys, view, table.title.partition(": effect")[0], progress, look.formats, look.style)
+    drawn = pictures(found, keys, table.title.partition(": effect")[0], progress, look.formats, look.style)
     return _files(out, found, table, drawn, seams)
 
 

@@ -77,7 +77,7 @@ def joins(
 
 def _draw(model: "Model", result: "Joins", output: Path, view: str) -> None:
     from quintrig.figure import save, seam_picture
-    from quintrig.figure.plot import read_view
+    from quintrig.figure.camera import read_view
 
     replaced = output.is_file()
     figure = seam_picture([patch.surface for patch in model.patches], result, title=model.name, view=read_view(view))

@@ -12,9 +12,7 @@ from quintrig import __version__
 from quintrig.analysis.table import Table
 from quintrig.exchange.tables import shown
 from quintrig.figure import (
-    ISO,
     Scene,
-    View,
     comparison,
     curvature_plot,
     map_comparison,
@@ -23,6 +21,7 @@ from quintrig.figure import (
     to_bytes,
     torsion_plot,
 )
+from quintrig.figure.save import DPI
 from quintrig.figure.style import STANDARD, Style
 from quintrig.quantities.table import quantity
 from quintrig.shaping.curve_effect import CurveVariant
@@ -49,7 +48,6 @@ class Picture:
 def pictures(
     found: Sequence[Variant],
     keys: Sequence[str | None] = ("gaussian", "mean"),
-    view: View = ISO,
     name: str = "",
     progress: Callable[[str, int, int], None] | None = None,
     formats: Sequence[str] = (),
@@ -73,9 +71,9 @@ def pictures(
         if flat and key is not None:
             figure = map_comparison(surfaces, labels, key, title=title, unit=unit, style=style)
         else:
-            scene = Scene(view=view, isolines=7 if key is None else 0)
+            scene = Scene(isolines=7 if key is None else 0)
             figure = comparison(surfaces, labels, key, scene, title=title, unit=unit, style=style)
-        drawn.append(_picture(f"{key or 'surface'}{'_map' if flat else ''}", title, figure, formats))
+        drawn.append(_picture(f"{key or 'surface'}{'_map' if flat else ''}", title, figure, formats, style.dpi))
     return tuple(drawn)
 
 
@@ -97,13 +95,15 @@ def curve_pictures(
         *([] if plane else [("torsion", torsion_plot)]),
     ):
         figure = draw(curves, labels, title=f"{start}{what}", unit=unit, width=6.4, style=style)
-        drawn.append(_picture(what, f"{start}{what}", figure, formats))
+        drawn.append(_picture(what, f"{start}{what}", figure, formats, style.dpi))
     return tuple(drawn)
 
 
-def _picture(name: str, title: str, figure: Figure, formats: Sequence[str]) -> Picture:
-    png = to_bytes(figure, "png", _DPI)
-    return Picture(name, title, png, {form: png if form == "png" else to_bytes(figure, form) for form in formats})
+def _picture(name: str, title: str, figure: Figure, formats: Sequence[str], dpi: int | None) -> Picture:
+    png = to_bytes(figure, "png", dpi or _DPI)
+    return Picture(
+        name, title, png, {form: png if form == "png" else to_bytes(figure, form, dpi or DPI) for form in formats}
+    )
 
 
 def page(

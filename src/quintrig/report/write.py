@@ -79,7 +79,9 @@ def write_report(
     total = 1 + (4 if several else 0)
     joins: Joins | None = model.joins() if several else None
     total += curves.picture_count(model)
-    total += sum(known.steps(patch, detailed) + picture_count(patch, detailed) for patch in model.patches)
+    total += sum(
+        known.steps(patch, detailed) + picture_count(patch, detailed, style.quantities) for patch in model.patches
+    )
     step = _steps(progress, total)
     if not model.patches:
         along = curves.curve_chapters(model, step, formats, style)
@@ -96,7 +98,10 @@ def write_report(
                 name = f"{patch.name}: " if several else ""
                 found = known.gather(patch, model.unit, thresholds, grid, detailed, lambda what, n=name: step(n + what))
                 facts.append(found)
-                waiting = {one.name: workers.submit(render, one, formats, style) for one in pictures(found, detailed)}
+                waiting = {
+                    one.name: workers.submit(render, one, formats, style)
+                    for one in pictures(found, detailed, style.quantities)
+                }
                 drawn.append((f"patch-{index + 1}", waiting))
             seams = overview(model, joins) if joins is not None else ()
             drawn.append(("together", {one.name: workers.submit(render, one, formats, style) for one in seams}))
@@ -120,7 +125,7 @@ def write_report(
         points = {one.anchor if many else "": one.facts.points for one in chapters}
         _write_beside(target.parent, shown | {"together": tuple(images[-1].values())}, points)
         _write_beside(target.parent, *_along(along, ()))
-    return write_whole(target, _page(model, source, chapters, images[-1], joins, grid, thresholds, along))
+    return write_whole(target, _page(model, source, chapters, images[-1], joins, grid, thresholds, along, style))
 
 
 def _along(
@@ -168,6 +173,7 @@ def _page(
     grid: int,
     thresholds: Thresholds,
     along: tuple[curves.CurveChapter, ...],
+    style: Style,
 ) -> str:
     live = len(source) <= _LARGEST_VIEW
     return (
@@ -179,6 +185,7 @@ def _page(
             curves=along,
             surfaces=True,
             together=together,
+            style=style,
             joins=joins,
             grid=grid,
             thresholds=thresholds,

@@ -108,7 +108,7 @@ def _build(item: Item, folder: Path, style: Style) -> Built:
         for index, figure in enumerate(figures):
             letter = "abcdefgh"[index] if len(figures) > 1 else ""
             name = f"{item.key}{letter}"
-            content = {form: to_bytes(figure, form, _DPI) for form in FORMATS}
+            content = {form: to_bytes(figure, form, style.dpi or _DPI) for form in FORMATS}
             for form, data in content.items():
                 write_whole(folder / "figures" / f"{name}.{form}", data)
             write_whole(folder / "thumbnails" / f"{name}.png", _thumbnail(content["png"]))
