@@ -147,7 +147,7 @@ def _of_curve(curves: "Sequence[NamedCurve]", out: Path | None, title: str, unit
     from quintrig.support.files import write_whole
 
     drawn = curve_pictures(found, unit, title.partition(": effect")[0], look.formats, look.style)
-    for path, content in _files(out, found, table, drawn).items():
+    for path, content in _files(out, found, table, drawn, look.style).items():
         write_whole(path, content)
     session.done(out if out.suffix.lower() == ".html" else out / "index.html")
 
@@ -189,7 +189,7 @@ def _results(
     from quintrig.report.shape_effect_page import pictures
 
     drawn = pictures(found, keys, table.title.partition(": effect")[0], progress, look.formats, look.style)
-    return _files(out, found, table, drawn, seams)
+    return _files(out, found, table, drawn, look.style, seams)
 
 
 def _files(
@@ -197,6 +197,7 @@ def _files(
     found: "Sequence[Variant] | Sequence[CurveVariant]",
     table: "Table",
     drawn: "Sequence[Picture]",
+    style: "Style",
     seams: "Table | None" = None,
 ) -> dict[Path, str | bytes]:
     """Return the page, and in a folder, or where pictures are asked for as files, those and the table as files too."""
@@ -204,7 +205,7 @@ def _files(
     from quintrig.report.shape_effect_page import page
 
     alone = out.suffix.lower() == ".html"
-    shown: dict[Path, str | bytes] = {out if alone else out / "index.html": page(found, table, drawn, seams)}
+    shown: dict[Path, str | bytes] = {out if alone else out / "index.html": page(found, table, drawn, seams, style)}
     if alone and not any(one.files for one in drawn):
         return shown
     folder = out.parent / "figures" if alone else out

@@ -13,11 +13,14 @@ from quintrig.figure.field import stretched
 from quintrig.figure.palette import class_colours, colour_map, real_colours
 from quintrig.figure.picture import Picture
 from quintrig.figure.style import STANDARD, Style
+from quintrig.figure.wording import quantity_label
 from quintrig.quantities.table import Quantity, quantity
 from quintrig.scan.curvature import ScanCurvature
 from quintrig.scan.scan import Scan
 from quintrig.support.arrays import FloatArray
 
+_ROOM = 0.85  # of the axes: numbers and names stand outside
+_END_ON = 0.98  # cosine: an axis seen so has no room for numbers
 _MOST = 60_000  # points or triangles drawn
 
 
@@ -41,16 +44,21 @@ def scan_picture(
     for index, key in enumerate(keys or ("",)):
         axes: Any = figure.add_subplot(1, count, index + 1, projection="3d")
         axes.view_init(elev=view.elevation, azim=view.azimuth)
+        axes.set_proj_type("ortho")  # as all pictures in space, with true proportions
         if not key or not isinstance(subject, ScanCurvature):
             _draw(axes, scan, np.tile(to_rgb("0.6"), (len(scan.points), 1)), shade=True)
         else:
             q = quantity(key)
-            _draw(axes, scan, _coloured(figure, axes, subject, q, style), shade=False)
+            _draw(axes, scan, _coloured(figure, axes, subject, q, style), shade=False, classes=q.kind == "class")
             if style.title:
-                axes.set_title(f"{q.name} {q.symbol}", fontsize=9)
+                axes.set_title(quantity_label(q), fontsize=9)
         axes.set_aspect("equal")
+        axes.set_box_aspect(axes.get_box_aspect(), zoom=_ROOM)
         axes.tick_params(labelsize=6)
-        for axis in "xyz":
+        for axis, towards in zip("xyz", view.axes[2].tolist(), strict=True):
+            if abs(towards) > _END_ON:
+                getattr(axes, f"set_{axis}ticks")([])
+                continue
             getattr(axes, f"{axis}axis").set_major_locator(MaxNLocator(4))
             getattr(axes, f"set_{axis}label")(f"{axis} ({scan.unit})" if scan.unit else axis, fontsize=7)
     if title and style.title:
@@ -82,11 +90,13 @@ def _coloured(figure: Any, axes: Any, found: ScanCurvature, q: Quantity, style: 
     return real_colours(values, q, stretch)
 
 
-def _draw(axes: Any, scan: Scan, colours: FloatArray, shade: bool) -> None:
+def _draw(axes: Any, scan: Scan, colours: FloatArray, shade: bool, classes: bool = False) -> None:
     p = scan.points
     if scan.triangles is not None and len(scan.triangles) <= _MOST:
         faces = axes.plot_trisurf(*p.T, triangles=scan.triangles, shade=False, linewidth=0.0, antialiased=False)
-        shades = colours[scan.triangles].mean(axis=1)
+        a, b, c = (colours[scan.triangles[:, k]] for k in range(3))
+        # Of classes a triangle shows the one of most of its corners: a mixture would be another.
+        shades = np.where((b == c).all(axis=1)[:, None], b, a) if classes else (a + b + c) / 3.0
         faces.set_facecolors(shades * _lit(scan)[:, None] if shade else shades)
         return
     chosen = np.linspace(0, len(p) - 1, min(len(p), _MOST)).astype(int)

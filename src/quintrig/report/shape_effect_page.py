@@ -111,6 +111,7 @@ def page(
     table: Table,
     drawn: Sequence[Picture],
     seams: Table | None = None,
+    style: Style = STANDARD,
 ) -> str:
     """Return the page as HTML with its pictures inside: nothing beside it and no network is needed."""
     environment = Environment(autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
@@ -126,6 +127,7 @@ def page(
         names=names,
         kind="curve" if part.kind == "curve" else f"{part.kind} surface",
         pictures=drawn,
+        style=style,
         seams=seams,
         seam_rows=[[shown(cell) for cell in row] for row in zip(*(c.rounded for c in seams.columns), strict=True)]
         if seams

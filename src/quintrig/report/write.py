@@ -89,7 +89,7 @@ def write_report(
         step("writing the page")
         if formats:
             _write_beside(target.parent, *_along(along, every))
-        return write_whole(target, _curve_page(model, source, along, every))
+        return write_whole(target, _curve_page(model, source, along, every, style))
     drawn: list[tuple[str, dict[str, Future[Image]]]] = []
     facts: list[Facts] = []
     with pool(processes) as workers:
@@ -207,6 +207,7 @@ def _curve_page(
     source: str,
     along: tuple[curves.CurveChapter, ...],
     every: tuple[tuple[str, Image], ...],
+    style: Style,
 ) -> str:
     """Return the page of a model of curves alone."""
     page = _environment().get_template("curve_page.html.j2")
@@ -214,6 +215,7 @@ def _curve_page(
         model=model,
         curves=along,
         all_curves=every,
+        style=style,
         bases=curves.bases_of(model.curves),
         source=source if len(source) <= _LONGEST else "",
         version=__version__,
