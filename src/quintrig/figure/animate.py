@@ -26,7 +26,7 @@ from quintrig.model.patch import NamedCurve, Patch
 from quintrig.support.errors import ArgumentError, QuintrigError, nearest
 from quintrig.support.files import refuse_unwritable, write_whole
 from quintrig.support.processes import pool
-from quintrig.support.progress import Progress
+from quintrig.support.progress import Progress, watched
 from quintrig.sweep.space import Axis, DesignSpace, check
 
 KINDS = ("gif", "mp4")
@@ -62,6 +62,7 @@ class Animation:
         return f"<Animation of {len(self.frames)} frames, {self.values[0]:g} to {self.values[-1]:g}>"
 
 
+@watched
 def animate(
     subject: Model | Patch | Surface,
     parameter: str,

@@ -31,8 +31,8 @@ _SHARES = (0, 5, 25, 50, 75, 95, 100)
 def write_scan_report(found: ScanCurvature, out: Path, figures: Sequence[str] = (), style: Style = STANDARD) -> Path:
     """Write a self-contained page on a scan's curvature, ``out/index.html`` or ``out`` itself, and return its path.
 
-    ``figures`` are formats, such as pdf, in which its pictures are files beside the page too, with the table of all points
-    as CSV; ``style`` is how they look.
+    ``figures`` are formats, such as pdf, in which its pictures are files beside the page too, with the table of all
+    points as CSV; ``style`` is how they look.
     """
     formats = formats_of(figures)
     target = out if out.suffix.lower() in (".html", ".htm") else out / "index.html"

@@ -32,7 +32,7 @@ from quintrig.report.wording import digits_of, measure, percent, prose
 from quintrig.studio import page as studio
 from quintrig.support.files import refuse_unwritable, write_whole
 from quintrig.support.processes import pool
-from quintrig.support.progress import Progress
+from quintrig.support.progress import Progress, watched
 
 DETAILED = 4
 """Models with more patches than this are told in brief: fewer pictures of each."""
@@ -51,6 +51,7 @@ class Chapter:
     detailed: bool
 
 
+@watched
 def write_report(
     model: Model,
     out: Path,

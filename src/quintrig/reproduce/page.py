@@ -22,7 +22,7 @@ from quintrig.reproduce.tables import PrintedTable, tables
 from quintrig.support.errors import QuintrigError
 from quintrig.support.files import refuse_unwritable, write_whole
 from quintrig.support.processes import pool
-from quintrig.support.progress import Progress
+from quintrig.support.progress import Progress, watched
 
 FORMATS = ("png", "svg", "pdf")
 
@@ -42,6 +42,7 @@ class Built:
     tables: tuple[tuple[PrintedTable, tuple[str, ...]], ...] = ()
 
 
+@watched
 def write_reproduction(
     out: Path,
     *,
