@@ -16,7 +16,6 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from quintrig.analysis.table import Table
-    from quintrig.figure import View
     from quintrig.figure.style import Style
     from quintrig.model.model import Model
     from quintrig.model.patch import NamedCurve
@@ -68,7 +67,6 @@ def compare(
     quantities: Annotated[
         str, typer.Option("-q", "--quantities", metavar="KEYS", help="What the pictures show.")
     ] = "gaussian,mean",
-    view: Annotated[str, typer.Option(metavar="VIEW", help="iso, side, back, top, or AZIMUTH,ELEVATION.")] = "iso",
     figures: Annotated[
         str | None,
         typer.Option(
@@ -85,14 +83,14 @@ def compare(
     several patches, of its seams too: what follows the patch by [[join]] tables is carried along. In a folder the
     pictures and the tables are files too.
     """
-    from quintrig.figure.plot import read_quantities, read_view
+    from quintrig.figure.plot import read_quantities
     from quintrig.figure.save import formats_of
     from quintrig.figure.style import STANDARD
 
     alone = out is not None and out.suffix.lower() == ".html"
     formats = formats_of((("" if alone else "png") if figures is None else figures).split(","))
     look = _Look(formats, style or STANDARD)
-    keys, seen = read_quantities([word.strip() for word in quantities.split(",")]), read_view(view)
+    keys = read_quantities(session.words(quantities))
     loaded = session.load_any(model)
     from quintrig.model.patch import NamedCurve
     from quintrig.shaping.seam_effect import seam_effect
@@ -125,11 +123,11 @@ def compare(
             found.append(variant(changed, loaded.unit, own=index == 0))
         table = intensities(found, title)
         seams = seam_effect(loaded, one.name, sets, [v.label for v in found]) if len(loaded.patches) > 1 else None
-        results = {} if out is None else _results(out, found, table, keys, seen, look, progress, seams)
+        results = {} if out is None else _results(out, found, table, keys, look, progress, seams)
     if out is None:
-        print_table(table, session.output())
+        print_table(table)
         if seams is not None:
-            print_table(seams, session.output())
+            print_table(seams)
         return
     for path, content in results.items():
         write_whole(path, content)
@@ -143,13 +141,13 @@ def _of_curve(curves: "Sequence[NamedCurve]", out: Path | None, title: str, unit
     found = [curve_variant(one, own=index == 0) for index, one in enumerate(curves)]
     table = curve_measures(found, unit, title)
     if out is None:
-        print_table(table, session.output())
+        print_table(table)
         return
     from quintrig.report.shape_effect_page import curve_pictures
     from quintrig.support.files import write_whole
 
     drawn = curve_pictures(found, unit, title.partition(": effect")[0], look.formats, look.style)
-    for path, content in _files(out, found, table, drawn).items():
+    for path, content in _files(out, found, table, drawn, look.style).items():
         write_whole(path, content)
     session.done(out if out.suffix.lower() == ".html" else out / "index.html")
 
@@ -174,8 +172,8 @@ def _whole(model: "Model", shape: list[str] | None) -> None:
             found = [variant(changed, model.unit, own=k == 0) for k, changed in enumerate(sets)]
             tables.append((one.name, intensities(found)))
             seams.append((one.name, seam_effect(model, one.name, sets, [v.label for v in found])))
-    print_table(stacked(tables, f"{model.name}: effect of the shape parameters"), session.output())
-    print_table(stacked(seams, f"{model.name}: seams"), session.output())
+    print_table(stacked(tables, f"{model.name}: effect of the shape parameters"))
+    print_table(stacked(seams, f"{model.name}: seams"))
 
 
 def _results(
@@ -183,7 +181,6 @@ def _results(
     found: "Sequence[Variant]",
     table: "Table",
     keys: "Sequence[str | None]",
-    view: "View",
     look: "_Look",
     progress: "Callable[[str, int, int], None]",
     seams: "Table | None" = None,
@@ -191,8 +188,8 @@ def _results(
     """Return the files to write, the page first: all is made before anything is written."""
     from quintrig.report.shape_effect_page import pictures
 
-    drawn = pictures(found, keys, view, table.title.partition(": effect")[0], progress, look.formats, look.style)
-    return _files(out, found, table, drawn, seams)
+    drawn = pictures(found, keys, table.title.partition(": effect")[0], progress, look.formats, look.style)
+    return _files(out, found, table, drawn, look.style, seams)
 
 
 def _files(
@@ -200,6 +197,7 @@ def _files(
     found: "Sequence[Variant] | Sequence[CurveVariant]",
     table: "Table",
     drawn: "Sequence[Picture]",
+    style: "Style",
     seams: "Table | None" = None,
 ) -> dict[Path, str | bytes]:
     """Return the page, and in a folder, or where pictures are asked for as files, those and the table as files too."""
@@ -207,7 +205,7 @@ def _files(
     from quintrig.report.shape_effect_page import page
 
     alone = out.suffix.lower() == ".html"
-    shown: dict[Path, str | bytes] = {out if alone else out / "index.html": page(found, table, drawn, seams)}
+    shown: dict[Path, str | bytes] = {out if alone else out / "index.html": page(found, table, drawn, seams, style)}
     if alone and not any(one.files for one in drawn):
         return shown
     folder = out.parent / "figures" if alone else out

@@ -41,9 +41,10 @@ def report(
     On a scan (.csv .xyz .ply .obj .stl) it shows the curvature of its points, with errors.
     """
     if is_scan(model):
+        from quintrig.figure.style import STANDARD
         from quintrig.report.scan_page import write_scan_report
 
-        session.done(write_scan_report(curvature(model, unit), out))
+        session.done(write_scan_report(curvature(model, unit), out, figures.split(","), style or STANDARD))
         return
     loaded = session.load_any(model, face, whole)
     from quintrig.figure.style import STANDARD

@@ -17,7 +17,7 @@ from quintrig.model.kinds.registry import kinds
 from quintrig.model.own_bases import table_of
 from quintrig.model.patch import NamedCurve, Patch, curve_of, patch_of, with_bases
 from quintrig.model.reading import read_text
-from quintrig.support.display import mime_bundle
+from quintrig.support.display import Shown
 from quintrig.support.errors import ModelError, nearest
 from quintrig.support.handed import Handed
 from quintrig.support.late import call
@@ -42,7 +42,7 @@ Part = TypeVar("Part", Patch, NamedCurve)
 
 
 @dataclass(frozen=True, eq=False)
-class Model(Handed):
+class Model(Handed, Shown):
     """A model file: name, unit of length (empty: plain numbers), patches with sides held together, and curves."""
 
     name: str
@@ -94,10 +94,6 @@ class Model(Handed):
             raise ModelError(
                 f"model {self.name!r}: expected a surface, found curves; a swept or ruled model makes a surface of them"
             )
-
-    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> Any:
-        """Return the interactive view that a notebook shows; only the text where the extra ``jupyter`` is missing."""
-        return mime_bundle(self)
 
     def joins(self, **limits: Any) -> Any:
         """Return which edges of the patches meet, how smoothly, and which are free.

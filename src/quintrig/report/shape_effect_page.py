@@ -12,9 +12,7 @@ from quintrig import __version__
 from quintrig.analysis.table import Table
 from quintrig.exchange.tables import shown
 from quintrig.figure import (
-    ISO,
     Scene,
-    View,
     comparison,
     curvature_plot,
     map_comparison,
@@ -23,6 +21,7 @@ from quintrig.figure import (
     to_bytes,
     torsion_plot,
 )
+from quintrig.figure.save import DPI
 from quintrig.figure.style import STANDARD, Style
 from quintrig.quantities.table import quantity
 from quintrig.shaping.curve_effect import CurveVariant
@@ -49,7 +48,6 @@ class Picture:
 def pictures(
     found: Sequence[Variant],
     keys: Sequence[str | None] = ("gaussian", "mean"),
-    view: View = ISO,
     name: str = "",
     progress: Callable[[str, int, int], None] | None = None,
     formats: Sequence[str] = (),
@@ -73,9 +71,9 @@ def pictures(
         if flat and key is not None:
             figure = map_comparison(surfaces, labels, key, title=title, unit=unit, style=style)
         else:
-            scene = Scene(view=view, isolines=7 if key is None else 0)
+            scene = Scene(isolines=7 if key is None else 0)
             figure = comparison(surfaces, labels, key, scene, title=title, unit=unit, style=style)
-        drawn.append(_picture(f"{key or 'surface'}{'_map' if flat else ''}", title, figure, formats))
+        drawn.append(_picture(f"{key or 'surface'}{'_map' if flat else ''}", title, figure, formats, style.dpi))
     return tuple(drawn)
 
 
@@ -97,13 +95,15 @@ def curve_pictures(
         *([] if plane else [("torsion", torsion_plot)]),
     ):
         figure = draw(curves, labels, title=f"{start}{what}", unit=unit, width=6.4, style=style)
-        drawn.append(_picture(what, f"{start}{what}", figure, formats))
+        drawn.append(_picture(what, f"{start}{what}", figure, formats, style.dpi))
     return tuple(drawn)
 
 
-def _picture(name: str, title: str, figure: Figure, formats: Sequence[str]) -> Picture:
-    png = to_bytes(figure, "png", _DPI)
-    return Picture(name, title, png, {form: png if form == "png" else to_bytes(figure, form) for form in formats})
+def _picture(name: str, title: str, figure: Figure, formats: Sequence[str], dpi: int | None) -> Picture:
+    png = to_bytes(figure, "png", dpi or _DPI)
+    return Picture(
+        name, title, png, {form: png if form == "png" else to_bytes(figure, form, dpi or DPI) for form in formats}
+    )
 
 
 def page(
@@ -111,6 +111,7 @@ def page(
     table: Table,
     drawn: Sequence[Picture],
     seams: Table | None = None,
+    style: Style = STANDARD,
 ) -> str:
     """Return the page as HTML with its pictures inside: nothing beside it and no network is needed."""
     environment = Environment(autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
@@ -126,6 +127,7 @@ def page(
         names=names,
         kind="curve" if part.kind == "curve" else f"{part.kind} surface",
         pictures=drawn,
+        style=style,
         seams=seams,
         seam_rows=[[shown(cell) for cell in row] for row in zip(*(c.rounded for c in seams.columns), strict=True)]
         if seams

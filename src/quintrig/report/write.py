@@ -32,7 +32,7 @@ from quintrig.report.wording import digits_of, measure, percent, prose
 from quintrig.studio import page as studio
 from quintrig.support.files import refuse_unwritable, write_whole
 from quintrig.support.processes import pool
-from quintrig.support.progress import Progress
+from quintrig.support.progress import Progress, watched
 
 DETAILED = 4
 """Models with more patches than this are told in brief: fewer pictures of each."""
@@ -51,6 +51,7 @@ class Chapter:
     detailed: bool
 
 
+@watched
 def write_report(
     model: Model,
     out: Path,
@@ -79,7 +80,9 @@ def write_report(
     total = 1 + (4 if several else 0)
     joins: Joins | None = model.joins() if several else None
     total += curves.picture_count(model)
-    total += sum(known.steps(patch, detailed) + picture_count(patch, detailed) for patch in model.patches)
+    total += sum(
+        known.steps(patch, detailed) + picture_count(patch, detailed, style.quantities) for patch in model.patches
+    )
     step = _steps(progress, total)
     if not model.patches:
         along = curves.curve_chapters(model, step, formats, style)
@@ -87,7 +90,7 @@ def write_report(
         step("writing the page")
         if formats:
             _write_beside(target.parent, *_along(along, every))
-        return write_whole(target, _curve_page(model, source, along, every))
+        return write_whole(target, _curve_page(model, source, along, every, style))
     drawn: list[tuple[str, dict[str, Future[Image]]]] = []
     facts: list[Facts] = []
     with pool(processes) as workers:
@@ -96,7 +99,10 @@ def write_report(
                 name = f"{patch.name}: " if several else ""
                 found = known.gather(patch, model.unit, thresholds, grid, detailed, lambda what, n=name: step(n + what))
                 facts.append(found)
-                waiting = {one.name: workers.submit(render, one, formats, style) for one in pictures(found, detailed)}
+                waiting = {
+                    one.name: workers.submit(render, one, formats, style)
+                    for one in pictures(found, detailed, style.quantities)
+                }
                 drawn.append((f"patch-{index + 1}", waiting))
             seams = overview(model, joins) if joins is not None else ()
             drawn.append(("together", {one.name: workers.submit(render, one, formats, style) for one in seams}))
@@ -120,7 +126,7 @@ def write_report(
         points = {one.anchor if many else "": one.facts.points for one in chapters}
         _write_beside(target.parent, shown | {"together": tuple(images[-1].values())}, points)
         _write_beside(target.parent, *_along(along, ()))
-    return write_whole(target, _page(model, source, chapters, images[-1], joins, grid, thresholds, along))
+    return write_whole(target, _page(model, source, chapters, images[-1], joins, grid, thresholds, along, style))
 
 
 def _along(
@@ -168,6 +174,7 @@ def _page(
     grid: int,
     thresholds: Thresholds,
     along: tuple[curves.CurveChapter, ...],
+    style: Style,
 ) -> str:
     live = len(source) <= _LARGEST_VIEW
     return (
@@ -179,6 +186,7 @@ def _page(
             curves=along,
             surfaces=True,
             together=together,
+            style=style,
             joins=joins,
             grid=grid,
             thresholds=thresholds,
@@ -200,6 +208,7 @@ def _curve_page(
     source: str,
     along: tuple[curves.CurveChapter, ...],
     every: tuple[tuple[str, Image], ...],
+    style: Style,
 ) -> str:
     """Return the page of a model of curves alone."""
     page = _environment().get_template("curve_page.html.j2")
@@ -207,6 +216,7 @@ def _curve_page(
         model=model,
         curves=along,
         all_curves=every,
+        style=style,
         bases=curves.bases_of(model.curves),
         source=source if len(source) <= _LONGEST else "",
         version=__version__,

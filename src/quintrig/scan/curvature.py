@@ -14,6 +14,7 @@ from quintrig.scan.nearest import in_threads
 from quintrig.scan.orient import planes, rim, sides
 from quintrig.scan.scan import Scan, scan_of
 from quintrig.support.arrays import BoolArray, FloatArray
+from quintrig.support.display import Shown
 from quintrig.support.scipy_inside import tree_of
 
 VALUES = ("gaussian", "mean", "k1", "k2", "shape_index", "curvedness")
@@ -38,7 +39,7 @@ _SURE = 2.0
 
 
 @dataclass(frozen=True, eq=False)
-class ScanCurvature:
+class ScanCurvature(Shown):
     """Curvatures at the points of a scan, ``values`` by the keys of the table of quantities, ``errors`` by those too.
 
     An error is about what 95 of 100 values are nearer to the truth than: from the scatter of the neighbours, and from

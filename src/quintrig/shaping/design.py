@@ -25,7 +25,7 @@ from quintrig.shaping.unknowns import Unknowns, unknowns
 from quintrig.support.arrays import FloatArray
 from quintrig.support.errors import ModelError
 from quintrig.support.late import call
-from quintrig.support.progress import Progress
+from quintrig.support.progress import Progress, watched
 
 _FAR = 0.25  # of each range a start is away from the given design, at random
 
@@ -76,6 +76,7 @@ class Design:
         }
 
 
+@watched
 def design(
     goals: str | Path | Mapping[str, Any],
     *,

@@ -20,6 +20,7 @@ from quintrig.shaping.fitting.result import Fit, ShapeValue
 from quintrig.shaping.fitting.start import border, parametrisations
 from quintrig.support.arrays import BoolArray, FloatArray, frozen, number
 from quintrig.support.errors import nearest
+from quintrig.support.progress import Progress, watched
 from quintrig.support.scipy_inside import tree_of
 
 ALL_KINDS = (*KINDS, *PRIMITIVES, "curve")
@@ -34,6 +35,7 @@ _FIRST, _MAIN, _LAST = 1200, 6000, 200_000
 _ENERGY = 1e-9  # of the size: a spread below this is a line or a point
 
 
+@watched
 def fit(
     target: Target,
     kind: str = "tensor",
@@ -51,6 +53,7 @@ def fit(
     weights: ArrayLike | None = None,
     unit: str = "",
     name: str = "fit",
+    progress: Progress | None = None,
 ) -> Fit:
     """Return a model of this kind whose surface is nearest to points in the sense of least squares.
 
@@ -60,7 +63,8 @@ def fit(
     without them a ``tolerance``, length¹, may take as many as 8 x 8. ``boundary`` "curves" draws the edges to the
     border of the points, curves hold them there. ``smooth`` weighs thin-plate energy against the distances. Points
     farther than 6 standard deviations do not count where ``robust``, as it is for scans. ``mirror`` (a, b, c, d) is the
-    plane of a symmetric surface, found where none is given. Raises ValueError, ModelError or QuintrigError in one line.
+    plane of a symmetric surface, found where none is given. ``progress`` is told of the rounds of a fit of a surface.
+    Raises ValueError, ModelError or QuintrigError in one line.
     """
     if kind not in ALL_KINDS:
         raise ValueError(f"kind: expected one of {', '.join(ALL_KINDS)}, got {kind!r}{nearest(kind, ALL_KINDS)}")
@@ -83,7 +87,7 @@ def fit(
     if kind in PRIMITIVES:
         return _primitive(kind, scan, trusted, tolerance, name)
     plane = _mirror(kind, mirror, scan)
-    work = _Work(scan, kind, basis, shape, size, join, boundary, smooth, tolerance, trusted, plane, name)
+    work = _Work(scan, kind, basis, shape, size, join, boundary, smooth, tolerance, trusted, plane, name, progress)
     if patches is not None or tolerance is None or kind != "tensor":
         return work.fitted(patches or (1, 1))
     return work.until_within(tolerance)
@@ -106,12 +110,14 @@ class _Work:
         robust: bool,
         mirror: FloatArray | None,
         name: str,
+        progress: Progress | None,
     ) -> None:
         if join not in ("G1", "G2"):
             raise ValueError(f"join: expected G1 or G2, got {join!r}")
         if isinstance(shape, str) and shape not in ("fixed", "free"):
             raise ValueError(f"shape: expected fixed, free or numbers, got {shape!r}")
         self.scan, self.kind, self.basis, self.size, self.name = scan, kind, basis, size, name
+        self.progress = progress
         self.join, self.tolerance, self.mirror = join, tolerance, mirror
         self.free = shape == "free"
         self.values = None if isinstance(shape, str) else frozen(list(shape), "shape", (None,))
@@ -135,7 +141,7 @@ class _Work:
                 raise ValueError(f"boundary: expected free or curves, or a model of curves, got {boundary!r}")
             if boundary == "curves":
                 on = border_points(self.scan, local)
-            return solve.Data(local, weights, on, robust, smooth)
+            return solve.Data(local, weights, on, robust, smooth, self.progress)
         t = np.linspace(0.0, 1.0, 200)
         held = np.concatenate([np.asarray(curve(t), dtype=np.float64) for curve in boundary])
         if held.shape[1] != 3:
@@ -147,6 +153,7 @@ class _Work:
             np.concatenate([on, np.ones(len(held), dtype=np.bool_)]),
             robust,
             smooth,
+            self.progress,
         )
 
     def _form(self, grid: tuple[int, int]) -> Form:

@@ -16,6 +16,7 @@ from quintrig.scan.nearest import Feet, Finder
 from quintrig.shaping.fitting import gram_jit
 from quintrig.shaping.fitting.forms import Form
 from quintrig.support.arrays import BoolArray, FloatArray
+from quintrig.support.progress import Progress
 from quintrig.support.scipy_inside import linalg_, optimize_, shortest, sparse_, tree_of
 
 _LEAST_SMOOTH = 1e-9
@@ -31,13 +32,17 @@ _UNREACHED = 0.05
 
 @dataclass(frozen=True, eq=False)
 class Data:
-    """Points (n, 3), scaled, with weights (n,); ``border`` (n,) is true for those that belong on the edges."""
+    """Points (n, 3), scaled, with weights (n,); ``border`` (n,) is true for those that belong on the edges.
+
+    ``progress`` is told of the rounds of a fit.
+    """
 
     points: FloatArray
     weights: FloatArray
     border: BoolArray
     robust: bool = True
     smooth: float = 0.0
+    progress: Progress | None = None
 
     def some(self, most: int) -> "Data":
         """Return at most so many of the points, the same ones each time."""
@@ -91,7 +96,9 @@ def refined(form: Form, data: Data, state: State, free: bool, rounds: int, exact
     best, slide = state, 0.3
     here = state
     stuck = 0
-    for _ in range(rounds):
+    for number in range(rounds):
+        if data.progress:
+            data.progress(f"fitting {form.patches or 1} patch{'es' if form.patches > 1 else ''}", number, rounds)
         feet = _feet(form, here, data)
         weights = _trusted(feet, data)
         rms = _rms(feet, weights)
