@@ -250,9 +250,9 @@ def _worse(before: Model, after: Model, changed: set[str], seam: set[tuple[str, 
 
     def seams(model: Model) -> dict[frozenset[tuple[str, str]], Join]:
         found: dict[frozenset[tuple[str, str]], Join] = {}
-        for one in joins_of(model):
+        for one in joins_of(model, of=changed):
             ends = frozenset((end.patch, end.side) for end in (one.first, one.second))
-            if set(ends) != seam and {name for name, _ in ends} & changed:
+            if set(ends) != seam:
                 found[ends] = one
         return found
 
