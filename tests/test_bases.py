@@ -294,7 +294,7 @@ OFF = {"functions": ["r^2", "2.1*t*r", "t^2"]}
 
 def test_what_does_not_sum_to_one_is_refused_unless_wanted():
     with pytest.raises(
-        ModelError, match=r"'mine' do not sum to 1 \(their sum is 1.05 at t = 0.5\).*unchecked_basis = true"
+        ModelError, match=r"'mine' do not sum to 1 \(their sum is 1.025 at t = 0.5\).*unchecked_basis = true"
     ):
         model(bases={"mine": OFF})
     patch = model(bases={"mine": OFF}, unchecked_basis=True).patch()
