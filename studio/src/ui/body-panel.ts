@@ -11,6 +11,7 @@ import { button, choice, toggle } from "./controls";
 import { h } from "./dom";
 import { short } from "./format";
 
+const ALL = 5e-3; // of a side at its ends: less than that missing is not told
 const JOINS = ["G0", "G1", "G2", "G3"];
 
 export class BodyPanel {
@@ -60,7 +61,7 @@ export class BodyPanel {
     const later = leftToPython(state.model).map((rule) => rule.second);
     this.later.textContent = later.length ? `Not moved here, but by Python when the model is saved or read: ${later.join(", ")}` : "";
     this.later.hidden = !later.length;
-    const { patches, unit } = state.model, end = (of: Seam["first"]) => `${patches[of.patch]!.name}:${of.side}`;
+    const { patches, unit } = state.model, end = (of: Seam["first"]) => `${patches[of.patch]!.name}:${of.side}${of.from > ALL || of.to < 1 - ALL ? ` [${short(of.from, 3)}, ${short(of.to, 3)}]` : ""}`;
     const own = all.filter((seam) => seam.first.patch === state.patch || seam.second.patch === state.patch);
     this.seams.replaceChildren(...own.map((seam) => {
       const swatch = h("b", { class: "order" }, seam.order);
