@@ -136,7 +136,7 @@ class Basis:
 
     @cached_property
     def off_sum(self) -> tuple[float, str]:
-        """By how much the sum misses 1 at worst, in samples of [0, 1] and of the range, and where."""
+        """By how much the sum misses 1 at worst, in samples of [0, 1] and of the range, and what it is where."""
         from quintrig.basis.formula_checks import sums
 
         return sums(self.trees, self.parameters)
@@ -194,9 +194,8 @@ class Formulas(Functions):
         """That the surface moves with the origin, and that parameters lie outside their range, where it is so."""
         told: list[str] = []
         if not self.partition:
-            off, where = self.basis.off_sum
             told.append(
-                f"The functions of the basis {self.label} do not sum to 1 (off by {off:.3g} {where}): the surface "
+                f"The functions of the basis {self.label} do not sum to 1 ({self.basis.off_sum[1]}): the surface "
                 "moves with the origin, and its shape hangs on where that is."
             )
         wrong = [

@@ -23,6 +23,7 @@ from quintrig.figure import (
 )
 from quintrig.figure.save import DPI
 from quintrig.figure.style import STANDARD, Style
+from quintrig.model.patch import NamedCurve, Patch
 from quintrig.quantities.table import quantity
 from quintrig.shaping.curve_effect import CurveVariant
 from quintrig.shaping.shape_effect import Variant
@@ -106,31 +107,48 @@ def _picture(name: str, title: str, figure: Figure, formats: Sequence[str], dpi:
     )
 
 
-def page(
-    found: Sequence[Variant] | Sequence[CurveVariant],
-    table: Table,
-    drawn: Sequence[Picture],
-    seams: Table | None = None,
-    style: Style = STANDARD,
-) -> str:
+@dataclass(frozen=True, eq=False)
+class Section:
+    """What shape parameters do to one patch or curve: its variants, their table, and of a body those of its seams."""
+
+    name: str
+    found: Sequence[Variant] | Sequence[CurveVariant]
+    table: Table
+    seams: Table | None = None
+    pictures: tuple[Picture, ...] = ()
+
+    @property
+    def kind(self) -> str:
+        """What it is, in words."""
+        kind = self._part.kind
+        return "curve" if kind == "curve" else f"{kind} surface"
+
+    @property
+    def names(self) -> str:
+        """The symbols of the shape parameters, such as (α1, ζ1, α2, ζ2)."""
+        return f"({', '.join(self._part.definition.shape_symbols)})"
+
+    @property
+    def lines(self) -> list[tuple[str, str, list[str]]]:
+        """Symbol, unit and values of each column of the table."""
+        columns = self.table.columns[self.table.lead :]
+        return [(one.symbol, one.unit, [shown(value) for value in one.rounded]) for one in columns]
+
+    @property
+    def seam_rows(self) -> list[list[str]]:
+        """The rows of the table of seams."""
+        if self.seams is None:
+            return []
+        return [[shown(cell) for cell in row] for row in zip(*(c.rounded for c in self.seams.columns), strict=True)]
+
+    @property
+    def _part(self) -> Patch | NamedCurve:
+        first = self.found[0]
+        return first.curve if isinstance(first, CurveVariant) else first.patch
+
+
+def page(sections: Sequence[Section], title: str, style: Style = STANDARD) -> str:
     """Return the page as HTML with its pictures inside: nothing beside it and no network is needed."""
     environment = Environment(autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
     template = environment.from_string((files("quintrig.report.templates") / "shape_effect.html.j2").read_text("utf-8"))
-    lines = [(one.symbol, one.unit, [shown(value) for value in one.rounded]) for one in table.columns[table.lead :]]
-    first = found[0]
-    part = first.curve if isinstance(first, CurveVariant) else first.patch
-    names = f"({', '.join(part.definition.shape_symbols)})"
-    return template.render(
-        table=table,
-        found=found,
-        lines=lines,
-        names=names,
-        kind="curve" if part.kind == "curve" else f"{part.kind} surface",
-        pictures=drawn,
-        style=style,
-        seams=seams,
-        seam_rows=[[shown(cell) for cell in row] for row in zip(*(c.rounded for c in seams.columns), strict=True)]
-        if seams
-        else [],
-        version=__version__,
-    )
+    return template.render(title=title, sections=sections, style=style, version=__version__)

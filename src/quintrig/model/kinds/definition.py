@@ -245,9 +245,8 @@ class Based(Definition):
         for choice, points in zip(self.choices, self.point_counts, strict=True) if not self.standard else ():
             basis = choice.basis(points) if isinstance(choice, Entry) else None
             if basis is not None and not basis.partition and not self.unchecked_basis:
-                off, where = basis.off_sum
                 raise ValueError(
-                    f"basis: the functions of {basis.name!r} do not sum to 1 (off by {off:.3g} {where}); correct the "
+                    f"basis: the functions of {basis.name!r} do not sum to 1 ({basis.off_sum[1]}); correct the "
                     "formulas, or set unchecked_basis = true and have a surface that moves with the origin"
                 )
 
