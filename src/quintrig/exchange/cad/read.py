@@ -73,9 +73,8 @@ def faces_of(shape: Any, place: str) -> tuple[Face, ...]:
     whole = isinstance(shape, module("TopoDS").TopoDS_Shape) and not shape.IsNull()
     found = explored(shape, "FACE") if whole else []
     if not found:
-        raise QuintrigError(
-            f"{place}: expected a shape with faces, found {'none' if whole else type(shape).__name__}; hand over a face, shell or solid"
-        )
+        kind = "none" if whole else type(shape).__name__
+        raise QuintrigError(f"{place}: expected a shape with faces, found {kind}; hand over a face or solid")
     if len(found) > _MOST_FACES:
         raise QuintrigError(f"{place}: expected at most {_MOST_FACES} faces, found {len(found):,}; hand over parts")
     return tuple(_face(k, "", down_to("Face", one)) for k, one in enumerate(found, 1))
