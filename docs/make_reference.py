@@ -113,8 +113,9 @@ def reference() -> str:
     rest = tuple(name for name in dir(quintrig) if name not in listed and name != "__version__")
     parts = [
         "# Reference",
-        "Everything below is `from quintrig import ...`; a name with a dot is `from quintrig.module import ...`. Lengths "
-        "are in the model's unit; a power of length stands with each result. This page is written by `docs/make_reference.py` from the docstrings.",
+        "Everything below is `from quintrig import ...`; a name with a dot is `from quintrig.module import ...`. "
+        "Lengths are in the model's unit; a power of length stands with each result. This page is written by "
+        "`docs/make_reference.py` from the docstrings.",
     ]
     for chapter, names in {**CHAPTERS, "More": rest}.items():
         if names:
