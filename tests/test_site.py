@@ -9,6 +9,9 @@ from pathlib import Path
 
 import pytest
 
+from cli_runner import quintrig
+from once import once
+
 ROOT = Path(__file__).parent.parent
 
 
@@ -17,11 +20,13 @@ def site(tmp_path_factory):
     if importlib.util.find_spec("mkdocs_jupyter") is None:
         assert not os.environ.get("CI"), "mkdocs is missing in CI"
         pytest.skip("needs mkdocs: pip install 'quintrig[docs]'")
-    out = tmp_path_factory.mktemp("site")
+    return once(tmp_path_factory, "site", build)
+
+
+def build(out):
     command = [sys.executable, "-m", "mkdocs", "build", "--strict", "--quiet", "--site-dir", str(out)]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr[-4000:]
-    return out
 
 
 def test_every_page_of_the_guide_is_in_the_navigation(site):
@@ -34,7 +39,7 @@ def test_every_page_of_the_guide_is_in_the_navigation(site):
 
 def test_pictures_of_the_gallery_and_the_notebooks_are_there(site):
     assert len(list((site / "gallery").glob("*.png"))) == len(list((ROOT / "docs" / "gallery").glob("*.py"))) >= 6
-    for name in ("curves", "paper", "body"):
+    for name in ("curves", "paper", "body", "scan"):
         assert "data:image/png;base64" in (site / "notebooks" / f"{name}.html").read_text(encoding="utf-8"), name
 
 
@@ -46,8 +51,7 @@ def test_formulas_are_mathml_and_none_is_left_over(site):
 
 def test_every_command_has_its_reference(site):
     page = (site / "commands.html").read_text(encoding="utf-8")
-    listed = subprocess.run([sys.executable, "-m", "quintrig", "--help"], capture_output=True, text=True, check=True)
-    names = set(re.findall(r"^│ ([a-z]+) ", listed.stdout, flags=re.MULTILINE))
+    names = set(re.findall(r"^│ ([a-z]+) ", quintrig("--help").out, flags=re.MULTILINE))
     assert {"check", "table", "report", "joins"} <= names
     for name in names:
         assert f"quintrig {name}</code>" in page, name

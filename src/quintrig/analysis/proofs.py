@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from quintrig.analysis.sample import analyse
-from quintrig.enclosures.claims import DIRECTIONS, Claim, read
+from quintrig.enclosures.claims import DIRECTIONS, Claim, key_of, read
 from quintrig.enclosures.measures import MEASURES
 from quintrig.enclosures.prove import MOST, Prover
 from quintrig.enclosures.search import Bounds
@@ -99,9 +99,10 @@ def bounds(
     curvature_radius, the smaller radius of curvature, length¹, the least is sought. ``direction`` is that of slope and
     draft, degrees. Raises ValueError as ``prove`` does.
     """
+    key = key_of(given := key)
     if key not in MEASURES:
         raise ValueError(
-            f"key: {key!r} has no certified bounds{nearest(key, MEASURES)}; there are {', '.join(MEASURES)}"
+            f"key: {given!r} has no certified bounds{nearest(key, MEASURES)}; there are {', '.join(MEASURES)}"
         )
     tolerance = number(tolerance, "tolerance")
     if not tolerance > 0.0:

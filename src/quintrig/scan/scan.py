@@ -20,7 +20,8 @@ class Scan(Shown):
     """Points (n, 2 or 3), length¹; unit ``normals`` (n, 3), ``triangles`` (m, 3) and ``weights`` (n,) where known.
 
     ``notes`` tell what was left out when it was read. ``parameters`` (n, 2), from 0 to 1, are those of points taken
-    from one surface, which are exact and so not ``noisy``. ``outline`` is true of the points of an aerofoil.
+    from one surface, which are exact and so not ``noisy``, or of the nodes of a grid. ``outline`` is true of the points
+    of an aerofoil.
     """
 
     points: FloatArray

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import chain
 from typing import Any, Literal
 
 import numpy as np
@@ -198,7 +199,7 @@ class _Work:
         own = self.scan.parameters
         ways = parametrisations(self.scan, self.data.points, self.kind, self.mirror)
         if own is not None and len(own) == len(self.data.points):
-            ways = iter([own])
+            ways = chain([own], ways) if self.scan.noisy else iter([own])
         for at in ways:
             state = solve.begun(form, few, at[kept])
             tried.append(solve.refined(form, replace(few, smooth=max(few.smooth, 1e-7)), state, False, 10, 1e-3))

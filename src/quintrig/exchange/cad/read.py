@@ -68,6 +68,18 @@ def read_cad(
     return Contents(title, unit, tuple(faces), tuple(curves), tuple(notes))
 
 
+def faces_of(shape: Any, place: str) -> tuple[Face, ...]:
+    """Return the faces of a shape of OpenCASCADE in memory; QuintrigError, naming ``place``, for what is none."""
+    whole = isinstance(shape, module("TopoDS").TopoDS_Shape) and not shape.IsNull()
+    found = explored(shape, "FACE") if whole else []
+    if not found:
+        kind = "none" if whole else type(shape).__name__
+        raise QuintrigError(f"{place}: expected a shape with faces, found {kind}; hand over a face or solid")
+    if len(found) > _MOST_FACES:
+        raise QuintrigError(f"{place}: expected at most {_MOST_FACES} faces, found {len(found):,}; hand over parts")
+    return tuple(_face(k, "", down_to("Face", one)) for k, one in enumerate(found, 1))
+
+
 def _read_file(reader: Any, path: Path, kind: str) -> None:
     if int(reader.ReadFile(str(path)).value) != 1:  # IFSelect_RetDone
         raise QuintrigError(f"{path}: expected {kind} file, found something else or a damaged one; export it again")
