@@ -13,8 +13,6 @@ from pathlib import Path
 
 import pytest
 
-from once import once
-
 ROOT = Path(__file__).parent.parent
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
 
@@ -32,8 +30,8 @@ def files(tmp_path_factory):
         if importlib.util.find_spec(name) is None:
             assert not os.environ.get("CI"), f"{name} is missing in CI"
             pytest.skip(f"needs {name}: pip install 'quintrig[dev]'")
-    build = (sys.executable, "-m", "build", "--no-isolation", str(ROOT), "--outdir")
-    out = once(tmp_path_factory, "dist", lambda folder: run(*build, str(folder)))
+    out = tmp_path_factory.mktemp("dist")
+    run(sys.executable, "-m", "build", "--no-isolation", "--outdir", str(out), str(ROOT))
     (wheel,), (source,) = out.glob("*.whl"), out.glob("*.tar.gz")
     return wheel, source
 
@@ -68,11 +66,10 @@ def test_the_source_holds_what_tests_and_documentation_are_made_of(files):
 
 
 def test_the_wheel_works_in_an_empty_environment(files, tmp_path):
-    run(sys.executable, "-m", "venv", "--without-pip", str(tmp_path / "env"))
-    scripts = tmp_path / "env" / "bin"
-    pip = [sys.executable, "-m", "pip", "--python", str(scripts / "python")]
+    run(sys.executable, "-m", "venv", str(tmp_path / "env"))
+    scripts = tmp_path / "env" / ("Scripts" if os.name == "nt" else "bin")
     done = subprocess.run(
-        [*pip, "install", "--quiet", "--no-compile", str(files[0])],
+        [scripts / "python", "-m", "pip", "install", "--quiet", str(files[0])],
         capture_output=True,
         text=True,
         check=False,

@@ -10,7 +10,6 @@ from pathlib import Path
 import pytest
 
 from cli_runner import quintrig
-from once import once
 
 ROOT = Path(__file__).parent.parent
 
@@ -20,13 +19,11 @@ def site(tmp_path_factory):
     if importlib.util.find_spec("mkdocs_jupyter") is None:
         assert not os.environ.get("CI"), "mkdocs is missing in CI"
         pytest.skip("needs mkdocs: pip install 'quintrig[docs]'")
-    return once(tmp_path_factory, "site", build)
-
-
-def build(out):
+    out = tmp_path_factory.mktemp("site")
     command = [sys.executable, "-m", "mkdocs", "build", "--strict", "--quiet", "--site-dir", str(out)]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr[-4000:]
+    return out
 
 
 def test_every_page_of_the_guide_is_in_the_navigation(site):

@@ -167,7 +167,7 @@ def _axis(model: Model, name: str, low: float | None, high: float | None, frames
             raise ArgumentError(f"the range does not rise; {better}", "animate", f"{name}={start:g}:{end:g}")
         axis = Axis(name, start, end, frames)
         for part in having:
-            check(DesignSpace((axis,)), part)
+            check(DesignSpace((axis,)), (part,))
     except ArgumentError as error:
         value = error.telling.value.removesuffix(f":{frames}")
         raise ArgumentError(error.telling.message, "animate", value) from None

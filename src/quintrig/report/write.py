@@ -21,8 +21,9 @@ from quintrig.multipatch.joins import Joins
 from quintrig.quantities.classify import Thresholds
 from quintrig.quantities.signs import SIGN_TABLES
 from quintrig.quantities.table import QUANTITIES, quantity
-from quintrig.report import curves, kinds, tables
+from quintrig.report import curves, deviation, kinds, tables
 from quintrig.report import facts as known
+from quintrig.report.deviation import Beside
 from quintrig.report.facts import Facts
 from quintrig.report.findings import findings, methods
 from quintrig.report.lines import umbilic_words
@@ -62,13 +63,15 @@ def write_report(
     figures: Sequence[str] = (),
     style: Style = STANDARD,
     processes: int | None = 1,
+    beside: Beside | None = None,
 ) -> Path:
     """Write a self-contained page on a model and return its path.
 
     That is ``out/index.html``, or ``out`` itself where it ends in .html.
     ``grid`` points a side are classified, compared and searched for extremes. ``figures`` are the formats, such as pdf,
     in which every picture is a file beside the page too, with the tables of labelled points as CSV and LaTeX;
-    ``style`` is how all of them look, and ``processes`` draw at once. The page is written whole or not at all;
+    ``style`` is how all of them look, and ``processes`` draw at once. ``beside`` is a target to tell of. The page is
+    written whole or not at all;
     QuintrigError where it cannot be written, ValueError for fewer than 2 points.
     """
     target = _target(out)
@@ -79,7 +82,7 @@ def write_report(
     several = len(model.patches) > 1
     total = 1 + (4 if several else 0)
     joins: Joins | None = model.joins() if several else None
-    total += curves.picture_count(model)
+    total += curves.picture_count(model) + (beside is not None)
     total += sum(
         known.steps(patch, detailed) + picture_count(patch, detailed, style.quantities) for patch in model.patches
     )
@@ -105,7 +108,8 @@ def write_report(
                 }
                 drawn.append((f"patch-{index + 1}", waiting))
             seams = overview(model, joins) if joins is not None else ()
-            drawn.append(("together", {one.name: workers.submit(render, one, formats, style) for one in seams}))
+            shared = [*seams, *((deviation.picture(beside),) if beside is not None else ())]
+            drawn.append(("together", {one.name: workers.submit(render, one, formats, style) for one in shared}))
             images: list[dict[str, Image]] = []
             for _, waiting in drawn:
                 images.append({})
@@ -126,7 +130,9 @@ def write_report(
         points = {one.anchor if many else "": one.facts.points for one in chapters}
         _write_beside(target.parent, shown | {"together": tuple(images[-1].values())}, points)
         _write_beside(target.parent, *_along(along, ()))
-    return write_whole(target, _page(model, source, chapters, images[-1], joins, grid, thresholds, along, style))
+    return write_whole(
+        target, _page(model, source, chapters, images[-1], joins, grid, thresholds, along, style, beside)
+    )
 
 
 def _along(
@@ -175,6 +181,7 @@ def _page(
     thresholds: Thresholds,
     along: tuple[curves.CurveChapter, ...],
     style: Style,
+    beside: Beside | None,
 ) -> str:
     live = len(source) <= _LARGEST_VIEW
     return (
@@ -188,6 +195,8 @@ def _page(
             together=together,
             style=style,
             joins=joins,
+            beside=beside,
+            beside_image=together.get("deviation"),
             grid=grid,
             thresholds=thresholds,
             version=__version__,
@@ -243,6 +252,7 @@ def _environment() -> Environment:
     functions: dict[str, Any] = {
         "kinds": kinds,
         "tables": tables,
+        "deviation": deviation,
         "findings": findings,
         "methods": methods,
         "umbilic_words": umbilic_words,
