@@ -188,9 +188,14 @@ def _methods(thing: type) -> Iterator[str]:
             yield f"- **`{head}`**: {' '.join(inspect.getdoc(function).split())}"
 
 
+def _hints(one: object) -> dict[str, object]:
+    """Return the types that a function or dataclass names; those imported for checking alone are public names."""
+    return get_type_hints(one, localns={name: getattr(quintrig, name) for name in dir(quintrig)})
+
+
 def _returned(function: object) -> type | None:
     """Return the dataclass that a function returns, alone or in a mapping; None for anything else."""
-    return next(_dataclasses(get_type_hints(function).get("return")), None)
+    return next(_dataclasses(_hints(function).get("return")), None)
 
 
 def _results() -> list[type]:
@@ -203,7 +208,7 @@ def _results() -> list[type]:
         one = waiting.pop(0)
         if one not in met and one.__name__ not in dir(quintrig):
             met.append(one)
-            waiting += [inner for hint in get_type_hints(one).values() for inner in _dataclasses(hint)]
+            waiting += [inner for hint in _hints(one).values() for inner in _dataclasses(hint)]
     return met
 
 
@@ -216,7 +221,7 @@ def _dataclasses(hint: object) -> Iterator[type]:
 
 
 def _result(result: type) -> str:
-    hints = get_type_hints(result)
+    hints = _hints(result)
     lines = [f"- `{field.name}`: {_kind(hints[field.name])}" for field in fields(result)]
     for key, value in vars(result).items():
         if isinstance(value, property) and not key.startswith("_"):
