@@ -299,3 +299,20 @@ def test_four_patches_joined_one_by_one_meet_at_their_corner(order):
 
 def test_ratios_that_differ_along_a_line_are_told():
     assert "c:u1 and d:u0 no longer meet exactly" in " ".join(square("G1", (1.0, 1.0, 1.5, 1.0)).notes)
+
+
+@pytest.mark.parametrize("order", ["G1", "G2", "G3"])
+@pytest.mark.parametrize("sides", [("u1", "u0"), ("v1", "v0")])
+def test_a_swung_patch_stays_swung(order, sides):
+    def bowl(name, **changed):
+        keys = {"profile": [[20, 0], [30, 10], [35, 20], [38, 30], [40, 45], [38, 60]]}
+        keys["trajectory"] = [[1, 0], [1, 0.2], [0.9, 0.4], [0.8, 0.6], [0.6, 0.8], [0.4, 0.9]]
+        return {"name": name, "kind": "swung", "scale": 1.5, "shape": [0.5, -1, 0.5, -1], **keys, **changed}
+
+    key = "profile" if sides[0] == "u1" else "trajectory"
+    after = [[38, 62], [35, 70], [36, 80], [33, 90], [30, 99], [30, 110]]
+    if key == "trajectory":
+        after = [[0.4, 0.9], [0.3, 1], [0.1, 1], [-0.1, 1], [-0.3, 0.9], [-0.5, 0.8]]
+    done = attach(model(bowl("a"), bowl("b", **{key: after})), f"a:{sides[0]}", f"b:{sides[1]}", order)
+    moved = done.model.patch("b")
+    assert (moved.kind, done.exact, done.join.order >= order) == ("swung", True, True)

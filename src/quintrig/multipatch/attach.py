@@ -1,5 +1,6 @@
 """``join``: two patches of a model made to meet along a side of each, to a wanted order."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -159,8 +160,8 @@ def _matched(
 ) -> tuple[dict[str, Patch], Match, tuple[str, ...]]:
     """Return the patches changed, by name, what the match took, and notes; ``stay`` are seams to keep if possible."""
     notes: list[str] = []
-    two, own = movable(two, convert, notes)
-    one, other = movable(one, convert, notes) if both else (one, None)
+    two, own = movable(two, convert, notes, (side2,))
+    one, other = movable(one, convert, notes, (side1,)) if both else (one, None)
     for patch, side in ((two, side2), *(((one, side1),) if both else ())):
         count = layers(patch.surface, side)
         if count <= level:
@@ -211,9 +212,9 @@ def _matched(
     return changed, done, tuple(notes)
 
 
-def movable(patch: Patch, convert: bool, notes: list[str]) -> tuple[Patch, Handle]:
-    """Return a patch, and what may be moved of it; ModelError where it is of a kind that has no such thing."""
-    found = handle(patch)
+def movable(patch: Patch, convert: bool, notes: list[str], sides: Iterable[str] = ()) -> tuple[Patch, Handle]:
+    """Return a patch, and what may be moved of it to join at these sides; ModelError where that is nothing."""
+    found = handle(patch, sides)
     if found is not None:
         return patch, found
     tensor = as_tensor(patch)

@@ -1,12 +1,13 @@
 """Finding the joins of a model: edges paired by place, measured, and judged by limits."""
 
 from collections import defaultdict
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from quintrig.geometry.surface import Surface
+from quintrig.model.held import Held
 from quintrig.model.model import Model
 from quintrig.multipatch.boundary import Edge, edges
 from quintrig.multipatch.contact import Contact, contact
@@ -65,6 +66,7 @@ def find_joins(
         tuple(joins),
         tuple(_free(names, [edge for edge in alive if edge.patch in chosen], kept, wanted)),
         tuple(End(names[edge.patch], edge.side) for edge in poles if edge.patch in chosen),
+        tuple(_unmet(model.held, joins, None if of is None else set(of))) if isinstance(model, Model) else (),
     )
 
 
@@ -87,6 +89,19 @@ def joins_of(
     size = 1.0 if model.unit else _extent(edges([patch.surface for patch in model.patches])[0])
     wanted = limits(model.unit, size, preset, tolerance=tolerance, angle=angle, curvature=curvature)
     return find_joins(model, wanted, near=near, of=of)
+
+
+def _unmet(rules: Sequence[Held], joins: Sequence[Join], of: set[str] | None) -> Iterator[str]:
+    """Give a line on each join that is to hold between these patches and does not reach its order."""
+    found = {frozenset(f"{end.patch}:{end.side}" for end in (one.first, one.second)): one for one in joins}
+    for rule in rules:
+        seam = found.get(frozenset((rule.first, rule.second)))
+        order = seam.order if seam else "open"
+        if ORDERS.index(order) < ORDERS.index(rule.order) and (of is None or set(rule.patches) & of):
+            yield (
+                f"{rule.second} is held to {rule.first} to {rule.order} and reaches {order}: its kind or its functions "
+                "along the side do not allow it; make it a tensor-product patch with the same shape parameters there"
+            )
 
 
 def _around(pairs: list[tuple[int, int]], wanted: Sequence[bool]) -> list[tuple[int, int]]:

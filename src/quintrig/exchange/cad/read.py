@@ -65,7 +65,8 @@ def read_cad(
     # OpenCASCADE calls what nobody named after itself.
     named_shapes = [name for name, _, _ in shapes if name and not name.startswith("Open CASCADE")]
     title = named_shapes[0] if len(named_shapes) == 1 else path.stem
-    return Contents(title, unit, tuple(faces), tuple(curves), tuple(notes))
+    shells = sum(len(explored(shape, "SHELL")) for _, shape, _ in shapes)
+    return Contents(title, unit, tuple(faces), tuple(curves), tuple(notes), shells)
 
 
 def faces_of(shape: Any, place: str) -> tuple[Face, ...]:
