@@ -17,7 +17,7 @@ from starlette.requests import ClientDisconnect, Request
 from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
 
-from quintrig.studio import built, exports, folder, page
+from quintrig.studio import built, exports, folder, page, proofs
 from quintrig.studio.guard import LARGEST_BODY, App, Guard, TooLarge
 from quintrig.studio.patient import Patient
 from quintrig.support.errors import ModelError, QuintrigError
@@ -126,6 +126,11 @@ def application(where: Site) -> App:
         content = base64.b64encode(made.content).decode()
         return JSONResponse({"name": made.name, "notes": made.notes, "content": content})
 
+    async def prove(request: Request) -> Response:
+        body = await _body(request, "text", "claim")
+        drawn = await anyio.to_thread.run_sync(folder.checked, "model.toml", body["text"])
+        return JSONResponse(await anyio.to_thread.run_sync(proofs.proved, drawn, body["claim"]))
+
     def told(status: int) -> Callable[[Request, Exception], Response]:
         def answer(_: Request, error: Exception) -> Response:
             # The page knows files by their names; where the folder lies is not its business.
@@ -147,6 +152,7 @@ def application(where: Site) -> App:
         Route("/api/build", build, methods=["POST"]),
         Route("/api/formats", formats, methods=["GET", "POST"]),
         Route("/api/export", export, methods=["POST"]),
+        Route("/api/prove", prove, methods=["POST"]),
     ]
     inner = Starlette(
         routes=routes,

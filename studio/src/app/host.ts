@@ -4,6 +4,7 @@ import type { Built } from "../numerics/built";
 import { fromDict, ModelError, type Model, type Patch } from "../numerics/model";
 import { fromToml, toToml } from "../toml";
 import { download, fileName } from "../ui/dom";
+import type { Proved } from "./proofs";
 import type { Source } from "./state";
 
 /** A kind of file that can be exported to, as in Python's table. */
@@ -63,6 +64,8 @@ export interface Host {
   save(name: string, model: Model, tag: string | null): Promise<Source | null>;
   formats(model: Model, patch: string): Promise<readonly Format[]>;
   export(order: Order, format: Format): Promise<Delivered>;
+  /** Decide a claim on all points of a model; only where a server does it. */
+  prove?(model: Model, claim: string): Promise<Proved>;
 }
 
 /** A page without a server: files are read here and saved as downloads. */
@@ -127,6 +130,10 @@ export class LiveHost implements Host {
     const { name, notes, content } = (await this.ask("POST", "api/export", body)) as Delivered & { content: string };
     download(name, new Blob([Uint8Array.from(atob(content), (letter) => letter.charCodeAt(0))]));
     return { name, notes };
+  }
+
+  async prove(model: Model, claim: string): Promise<Proved> {
+    return (await this.ask("POST", "api/prove", JSON.stringify({ text: toToml(model), claim }))) as Proved;
   }
 
   /** The surfaces of patches that the page cannot build. */
