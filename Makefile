@@ -12,11 +12,11 @@ report: .venv/installed
 test: test-fast test-slow
 
 test-fast: .venv/installed-dev
-	$(BIN)/python -m pytest -n auto -m "not slow" $(if $(CI),--cov --cov-report=term)
+	$(BIN)/python -m pytest -n auto --dist loadgroup -m "not slow" $(if $(CI),--cov --cov-report=term)
 
 # More processes than cores: pages and commands mostly wait.
 test-slow: .venv/installed-dev
-	$(BIN)/python -m pytest -n 3 -m slow
+	$(BIN)/python -m pytest -n 3 --dist loadgroup -m slow
 
 # Numbers with the lowest versions of dependencies that pyproject.toml lets in, in an environment of their own.
 LOWEST := $(addprefix tests/test_,$(addsuffix .py,basis construct curve envelope integrate model nurbs quantity schema \

@@ -48,9 +48,17 @@ SLOW = frozenset(
 """Files of tests that take more than some twenty seconds, without ``test_``; those of the studio's pages besides."""
 
 
+def shares(item):
+    """Return whether a test uses what is made once for its file; a browser starts at once and does not count."""
+    defined = item._fixtureinfo.name2fixturedefs  # no public name tells
+    return any(used[-1].scope == "module" for name, used in defined.items() if name != "browser")
+
+
 def pytest_collection_modifyitems(items):
-    """Mark what is slow, so that ``-m "not slow"`` leaves it out."""
+    """Mark what is slow, so that ``-m "not slow"`` leaves it out, and keep tests together that share what was made."""
     for item in items:
         name = item.path.stem.removeprefix("test_")
         if name in SLOW or name.startswith("studio_"):
             item.add_marker(pytest.mark.slow)
+        if shares(item):
+            item.add_marker(pytest.mark.xdist_group(name))
