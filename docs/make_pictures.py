@@ -5,8 +5,11 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle
 
 import quintrig
+from quintrig.enclosures.prove import Prover
+from quintrig.enclosures.regions import regions
 from quintrig.figure import Scene, comparison, panels, save, space_picture
 from quintrig.figure.deviation import deviation_picture
 from quintrig.figure.parallel import parallel_coordinates
@@ -44,6 +47,8 @@ def main() -> None:
     save(quintrig.plot(boot, lines=lights), OUT / "boot_reflection.png", dpi=110)
     save(lids(boot), OUT / "sweep.png", dpi=110)
     save(measured(boot), OUT / "deviation.png", dpi=100)
+    save(maps(wavy), OUT / "proof_maps.png", dpi=110)
+    save(separatrices(quintrig.load(EXAMPLES / "symmetric.toml")), OUT / "umbilics.png", dpi=110)
 
 
 def measured(boot: quintrig.Model) -> Figure:
@@ -56,6 +61,36 @@ def measured(boot: quintrig.Model) -> Figure:
     points = sample.point + (0.05 * rng.normal(size=4000) - dent)[:, None] * sample.normal
     result = quintrig.deviation(boot, quintrig.Scan(points, unit=boot.unit), tolerance=0.1)
     return deviation_picture(result, "A scan of the car boot", 9.0)
+
+
+def maps(model: quintrig.Model) -> Figure:
+    """Return where claims are proved, refuted and open on a patch, over its parameters."""
+    colours = {"proved": "#009e73", "refuted": "#d55e00", "open": "#f0e442"}
+    claims = ("gaussian > 0", "mean < 0", "curvature_radius >= 2 cm")
+    figure = Figure(figsize=(10.5, 4.1), layout="constrained")
+    for axes, claim in zip(np.atleast_1d(figure.subplots(1, len(claims))), claims, strict=True):
+        found = regions(Prover(model.surface, model.unit), claim)
+        for (u0, v0, u1, v1), state in zip(found.rectangles.tolist(), found.states, strict=True):
+            axes.add_patch(Rectangle((u0, v0), u1 - u0, v1 - v0, fc=colours[state], ec="white", lw=0.3))
+        axes.set(title=f"{claim}\n{len(found.states)} boxes", xlabel="u", ylabel="v", aspect="equal")
+    keys = [Rectangle((0, 0), 1, 1, fc=one) for one in colours.values()]
+    figure.legend(keys, list(colours), loc="outside lower center", ncols=3)
+    return figure
+
+
+def separatrices(model: quintrig.Model) -> Figure:
+    """Return the umbilics of a patch and the lines of curvature that leave them, over its parameters."""
+    figure = Figure(figsize=(5.0, 5.4), layout="constrained")
+    axes = figure.subplots()
+    for line in quintrig.lines(model, "curvature", umbilics=True):
+        axes.plot(*line.uv.T, color="#0072b2" if line.label == "κ1" else "#cc79a7", lw=0.9)
+    for kind, mark in (("star", "*"), ("lemon", "o"), ("monstar", "D")):
+        places = [(one.u, one.v) for one in quintrig.umbilics(model).umbilics if one.type == kind]
+        if places:
+            axes.plot(*np.array(places).T, mark, color="black", ms=9 if mark == "*" else 6, label=kind, ls="none")
+    axes.set(xlim=(0, 1), ylim=(0, 1), xlabel="u", ylabel="v", aspect="equal")
+    figure.legend(loc="outside lower center", ncols=3)
+    return figure
 
 
 def lids(boot: quintrig.Model) -> Figure:

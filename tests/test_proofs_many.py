@@ -4,6 +4,6 @@ from test_proofs import never_contradicted
 
 
 def test_many_random_nets_are_never_contradicted():
-    told = never_contradicted(24, 14)
-    assert told["proved"] > 20
-    assert told["refuted"] > 20
+    told = never_contradicted(48, 14)
+    assert told["proved"] > 60
+    assert told["refuted"] > 60

@@ -35,3 +35,22 @@ def test_only_what_changed_is_drawn_anew(context, served):
     assert "patches" not in page.evaluate(WATCHED, "unit")
     assert "patches" in page.evaluate(WATCHED, "name")
     assert page.locator(".patch span").first.inner_text() == "renamed"
+
+
+def test_a_claim_is_proved_by_the_server_and_mapped(context, served):
+    page = opened(context, served.site.address)
+    opened_model(page, {"patch": [{"kind": "torus"}]})
+    page.locator("summary", has_text="Proof").click()
+    field, said = page.get_by_label("Claim", exact=True), page.locator("details:has(#claims) [role=status]")
+    field.fill("gaussian >= 0")
+    field.press("Enter")
+    said.filter(has_text="refuted at u").wait_for(timeout=20_000)
+    mapped = """() => document.querySelector('[data-quintrig]')
+      .studio.stage.cells[0].pieces[0].mesh.material.uniforms.proving.value"""
+    page.evaluate(DRAW)
+    assert page.evaluate(mapped) is True
+    field.fill("gausian >= 0")
+    field.press("Enter")
+    said.filter(has_text="did you mean 'gaussian'").wait_for(timeout=20_000)
+    page.evaluate(DRAW)
+    assert page.evaluate(mapped) is False

@@ -7,6 +7,7 @@ import pytest
 from scipy.special import comb
 
 import quintrig
+import quintrig.geometry.nurbs
 from cli_runner import quintrig as command
 from quintrig import umbilics
 from quintrig.enclosures.ball import Ball
@@ -49,6 +50,16 @@ def test_an_ellipsoid_of_revolution_has_two_umbilics_at_its_poles():
     assert [one.curvature for one in found.umbilics] == pytest.approx([-0.25] * 2, rel=1e-8)  # c / a²
     assert found.sums[0]["agree"] is True
     assert found.complete
+
+
+def test_a_pole_of_a_rational_face_is_one_umbilic_whatever_rounding_makes_of_it():
+    half, arc = np.sqrt(0.5), np.array([[1, 0], [1, 1], [0, 1]])
+    points = [[(2 * r * x, 2 * r * y, z) for x, y in arc] for r, z in arc]
+    knots = [0, 0, 0, 1, 1, 1]
+    face = quintrig.geometry.nurbs.nurbs(points, np.outer([1, half, 1], [1, half, 1]), (2, 2), (knots, knots))
+    (one,) = umbilics(face).umbilics
+    assert (one.u, one.index) == (1.0, 1.0)
+    assert one.curvature == pytest.approx(0.25, rel=1e-6)
 
 
 @pytest.mark.parametrize(

@@ -14,6 +14,9 @@ import numpy as np
 from quintrig.enclosures.ball import LEAST, UP, Ball, bound, product
 from quintrig.support.arrays import BoolArray, FloatArray
 
+_LONGEST = 8.0  # of the other side
+_STILL = 1e-6
+
 Enclose = Callable[[FloatArray, FloatArray], tuple[FloatArray, FloatArray]]
 """From lower and upper bounds of coefficients (boxes, forms, n, m) to bounds of the quantity in each box (boxes,)."""
 
@@ -70,7 +73,7 @@ class Boxes:
     def halved(self, quotients: bool = True) -> "Boxes":
         """Return the halves of all boxes, each cut along the side over which its coefficients differ more.
 
-        With ``quotients`` several forms count by how they differ when divided by the second.
+        With ``quotients`` several forms count by how the first and the third differ when divided by the second.
         """
         values = self._relative() if quotients else self.middle
         size = np.abs(values).max(axis=(2, 3), initial=LEAST)
@@ -79,7 +82,11 @@ class Boxes:
             for axis in (2, 3)
         )
         wide = self.high - self.low
-        cut = np.where((along >= across) & (wide[:, 0] > 2.0**-40) | (self.middle.shape[3] == 1), 0, 1)
+        first = along >= across
+        # A box much longer than wide is cut across, unless nothing changes that way.
+        first |= (wide[:, 0] > _LONGEST * wide[:, 1]) & (along > _STILL * across)
+        first &= ~((wide[:, 1] > _LONGEST * wide[:, 0]) & (across > _STILL * along))
+        cut = np.where(first & (wide[:, 0] > 2.0**-40) | (self.middle.shape[3] == 1), 0, 1)
         if self.middle.shape[2] == 1:
             cut[:] = 1
         parts = [self.take(cut == axis)._cut(axis) for axis in (0, 1) if (cut == axis).any()]
@@ -87,14 +94,13 @@ class Boxes:
         return Boxes(*(np.concatenate([getattr(part, name) for part in parts]) for name in fields))
 
     def _relative(self) -> FloatArray:
-        """Return the coefficients, or where the second form divides the others their quotients, which σ is not in."""
+        """Return the coefficients, or the quotients of the first and third by the second form, which σ is not in."""
         if self.middle.shape[1] == 1:
             return self.middle
         below = self.middle[:, 1:2]
         size = np.abs(below).max(axis=(2, 3), keepdims=True)
         usable = np.abs(below) > 1e-12 * size
-        quotients = np.where(usable, self.middle / np.where(usable, below, 1.0), 0.0)
-        return np.delete(quotients, 1, axis=1)
+        return np.where(usable, self.middle[:, :3:2] / np.where(usable, below, 1.0), 0.0)
 
     def _cut(self, axis: int) -> "Boxes":
         n = self.middle.shape[2 + axis] - 1

@@ -13,10 +13,10 @@ from quintrig.enclosures.boxes import Boxes, Enclose
 from quintrig.enclosures.charts import Chart, charts
 from quintrig.enclosures.claims import Claim, read
 from quintrig.enclosures.faces import outside
-from quintrig.enclosures.measures import MEASURES, REGULAR, UPRIGHT, Measure, gauss_sign, saddle_sign
+from quintrig.enclosures.measures import MEASURES, REGULAR, UPRIGHT, Measure, Problem, gauss_sign, saddle_sign
 from quintrig.enclosures.poles import apex
 from quintrig.enclosures.search import Bounds, Range, Search, enclosed, settle
-from quintrig.enclosures.shape import Form, Shape
+from quintrig.enclosures.shape import Shape
 from quintrig.enclosures.verdicts import Region, Verdict, Witness
 from quintrig.enclosures.whole import InexactError, Whole
 from quintrig.geometry.envelope import Envelope
@@ -87,12 +87,12 @@ class Prover:
         else:
             starts = [
                 (*self._start(measure.problem, shape, direction), outside(self.surface, chart))
-                for chart, shape in self._shapes(False)
+                for chart, shape in self.shapes(False)
             ]
             found = enclosed(starts, tolerance, most * len(starts), (True, key != "curvature_radius"))
         return replace(found, unit=self.named_unit(measure))
 
-    def _shapes(self, sign_only: bool) -> Iterator[tuple[Chart, Shape]]:
+    def shapes(self, sign_only: bool) -> Iterator[tuple[Chart, Shape]]:
         """Yield the forms of each chart: exact ones where a factor on an edge may be common to a quotient."""
         for chart, balls, wholes in self._each:
             shape = balls
@@ -103,9 +103,7 @@ class Prover:
                     shape = balls
             yield chart, shape
 
-    def _start(
-        self, problem: Callable[..., tuple[list[Form], Enclose]], shape: Shape, direction: FloatArray
-    ) -> tuple[Boxes, Enclose]:
+    def _start(self, problem: Callable[..., Problem], shape: Shape, direction: FloatArray) -> tuple[Boxes, Enclose]:
         forms, enclose = problem(shape, self.surface.sign, direction)
         return Boxes.whole([form.ball() for form in forms]), enclose
 
@@ -121,9 +119,7 @@ class Prover:
             raise RuntimeError(f"{claim.text}: a comparison without a quantity; please report this")
         verdict = Verdict("proved", claim.text, 0)
         if not claim.sought:
-            zero = {claim.range.low, claim.range.high} <= {0.0, np.inf, -np.inf}
-            problem = measure.sign_only if zero and measure.sign_only else measure.problem
-            verdict = self._settled(claim, problem, problem is measure.sign_only, claim.range)
+            verdict = self._settled(claim, *asked(claim, measure), claim.range)
         if bounds or claim.sought:
             found = self.bounds(measure.key, direction=claim.direction, most=min(self.most, _FOR_BOUNDS))
             boxes = verdict.boxes + (found.boxes if claim.sought else 0)
@@ -132,12 +128,10 @@ class Prover:
                 verdict = replace(verdict, notes=(*verdict.notes, "the bounds hold, but are not tight to 1e-3"))
         return replace(verdict, notes=(*verdict.notes, *self._edge_notes()))
 
-    def _settled(
-        self, claim: Claim, problem: Callable[..., tuple[list[Form], Enclose]], sign_only: bool, wanted: Range
-    ) -> Verdict:
+    def _settled(self, claim: Claim, problem: Callable[..., Problem], sign_only: bool, wanted: Range) -> Verdict:
         """Return what comes of a quantity being in a range on every chart."""
         boxes, regions = 0, list[Region]()
-        for index, (chart, shape) in enumerate(self._shapes(sign_only)):
+        for index, (chart, shape) in enumerate(self.shapes(sign_only)):
             found = Search()
             ways = [(shape, False), (self._each[index][2], False), (self._each[index][2], True)]
             for arithmetic, split in ways:
@@ -163,7 +157,7 @@ class Prover:
         chart: Chart,
         shape: Shape,
         split: bool,
-        problem: Callable[..., tuple[list[Form], Enclose]],
+        problem: Callable[..., Problem],
         claim: Claim,
         wanted: Range,
     ) -> Search:
@@ -253,6 +247,13 @@ class Prover:
                             "on the edge the normal is the limit, and curvature may be without bound beside it"
                         ] = None
         return tuple(told)
+
+
+def asked(claim: Claim, measure: Measure) -> tuple[Callable[..., Problem], bool]:
+    """Return what a comparison is decided by, and whether that is the sign alone, as of bounds that are 0."""
+    if measure.sign_only and {claim.range.low, claim.range.high} <= {0.0, np.inf, -np.inf}:
+        return measure.sign_only, True
+    return measure.problem, False
 
 
 def _edges(chart: Chart) -> tuple[str, str, str, str]:

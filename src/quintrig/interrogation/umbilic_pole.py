@@ -4,13 +4,15 @@ import numpy as np
 
 from quintrig.geometry.surface import Surface
 from quintrig.interrogation.local import Local
-from quintrig.interrogation.rotation import turned
+from quintrig.interrogation.rotation import RIM, turned
 from quintrig.interrogation.umbilic import Type, Umbilic
 from quintrig.model.patch import Patch
 from quintrig.support.arrays import FloatArray
 
 _NEAR = 1e-3
 _AROUND = 721
+_MET = 1e-6  # of the scale: what is left of κ1 - κ2 at a pole that is an umbilic
+_ONE_NORMAL = 0.1  # radians: normals this near to a pole differ by less, if it has one
 _FLAT = 1e-7  # of 1 / size: a curvature this small is that of a planar point
 
 
@@ -25,6 +27,31 @@ def at_pole(patch: Patch, axis: int, end: float) -> Umbilic:
     kind: Type = "planar" if abs(curvature) <= flat else "star" if index == -0.5 else "other"
     u, v = (end, 0.0) if axis == 0 else (0.0, end)
     return Umbilic(patch.name, u, v, surface(u, v), 0.0 if kind == "planar" else curvature, index, kind)
+
+
+def poles_of(surface: Surface) -> frozenset[tuple[int, float]]:
+    """Return the sides (axis, end) that are one point, an umbilic as far as numbers tell."""
+    if surface.trim:
+        return frozenset()
+    t = np.linspace(0.0, 1.0, _AROUND)
+    found: set[tuple[int, float]] = set()
+    for axis in (0, 1):
+        for end in (0.0, 1.0):
+            side = [np.full(_AROUND, end), t]
+            points = surface(*(side if axis == 0 else side[::-1]))
+            if np.linalg.norm(np.ptp(points, axis=0)) <= RIM * surface.size and _is_umbilic(surface, axis, end):
+                found.add((axis, end))
+    return frozenset(found)
+
+
+def _is_umbilic(surface: Surface, axis: int, end: float) -> bool:
+    """Return whether κ1 - κ2 goes to 0 at a pole from all sides, and the normal to one direction."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        first, second, third = (Local.at(surface, *_ring(axis, end, k * _NEAR)) for k in (1, 2, 3))
+        spread = np.abs(3.0 * first.spread - 3.0 * second.spread + third.spread)
+        scale = np.abs(first.mean) + first.spread + 1.0 / surface.size
+        one = np.linalg.norm(first.up - first.up[0], axis=-1).max() < _ONE_NORMAL
+        return bool(one and (spread <= _MET * scale).all())
 
 
 def _ring(axis: int, end: float, near: float) -> FloatArray:

@@ -19,13 +19,14 @@ from quintrig.geometry.trimmed import window
 from quintrig.interrogation.local import Local
 from quintrig.interrogation.rotation import RIM, along_boundary, index_about
 from quintrig.interrogation.umbilic import Region, Type, Umbilic, Umbilics
-from quintrig.interrogation.umbilic_pole import at_pole
+from quintrig.interrogation.umbilic_pole import at_pole, poles_of
 from quintrig.interrogation.umbilic_search import apart, beside, curve_through, is_flat, seeds_of, umbilics_near
 from quintrig.model.model import Model
 from quintrig.model.patch import Patch
 from quintrig.support.arrays import FloatArray
 
 _CELLS = 97
+_POLE = 1e-3  # of the size: nearer to a pole that is an umbilic, rounding makes others
 _SEEDS = 100  # of what the proof leaves open
 _ROUND = 1e-9  # of the scale: a spread of κ1 and κ2 that is rounding
 _FLAT = 1e-7  # of 1 / size: a curvature this small is that of a planar point
@@ -88,14 +89,16 @@ def _of_patch(patch: Patch) -> _Found:
         certain = prove(surface, np.zeros((0, 2)), 1)
         return _Found([], [_whole(patch, local, defined)], certain is not None and certain.all)
     seeds = np.array(seeds_of(u[:, 0], v[0], a, b, scale, inside)).reshape(-1, 2)
-    met = _met(surface, seeds, typical)
+    flat = poles_of(surface)
+    apexes = [surface(*((end, 0.0) if axis == 0 else (0.0, end))) for axis, end in flat]
+    met = _met(surface, seeds, typical, apexes)
     ones, regions, certain = _sorted_out(patch, met, typical)
     if certain and len(certain.open) and not regions:
-        more = apart(surface, [*met, *_met(surface, _middles(certain.open), typical)])
+        more = apart(surface, [*met, *_met(surface, _middles(certain.open), typical, apexes)])
         if len(more) > len(apart(surface, met)):
             ones, regions, certain = _sorted_out(patch, more, typical)
     found = _Found(ones, regions)
-    poles = [at_pole(patch, axis, end) for axis, end in sorted(certain.poles)] if certain else []
+    poles = [at_pole(patch, axis, end) for axis, end in sorted(flat | (certain.poles if certain else flat))]
     found.complete = certain is not None and bool(certain.alone.all()) and not len(certain.open) and not regions
     found.told = _compared(patch, ones, poles, regions)
     found.umbilics = sorted([*ones, *poles], key=lambda one: (round(one.u, 9), round(one.v, 9)))
@@ -112,8 +115,11 @@ def _of_patch(patch: Patch) -> _Found:
     return found
 
 
-def _met(surface: Surface, seeds: FloatArray, typical: float) -> list[FloatArray]:
-    return [uv for uv in umbilics_near(surface, seeds, typical) if np.isfinite(uv).all()]
+def _met(surface: Surface, seeds: FloatArray, typical: float, poles: Sequence[FloatArray]) -> list[FloatArray]:
+    """Return umbilics near seeds; beside a pole that is one, what is met is the pole."""
+    found = [uv for uv in umbilics_near(surface, seeds, typical) if np.isfinite(uv).all()]
+    reach = _POLE * surface.size
+    return [uv for uv in found if all(np.linalg.norm(surface(*uv) - pole) > reach for pole in poles)]
 
 
 def _middles(rectangles: FloatArray) -> FloatArray:

@@ -17,7 +17,7 @@ from starlette.requests import ClientDisconnect, Request
 from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
 
-from quintrig.studio import aims, built, exports, folder, page
+from quintrig.studio import aims, built, exports, folder, page, proofs
 from quintrig.studio.guard import LARGEST_BODY, App, Guard, TooLarge
 from quintrig.studio.patient import Patient
 from quintrig.support.errors import ModelError, QuintrigError
@@ -153,6 +153,11 @@ def application(where: Site) -> App:
         energies = {"before": found.before["thin_plate"], "after": found.after["thin_plate"]}
         return JSONResponse({"model": built.for_page(found.model), "notes": found.notes, **energies})
 
+    async def prove(request: Request) -> Response:
+        body = await _body(request, "text", "claim")
+        drawn = await anyio.to_thread.run_sync(folder.checked, "model.toml", body["text"])
+        return JSONResponse(await anyio.to_thread.run_sync(proofs.proved, drawn, body["claim"]))
+
     def told(status: int) -> Callable[[Request, Exception], Response]:
         def answer(_: Request, error: Exception) -> Response:
             # The page knows files by their names; where the folder lies is not its business.
@@ -178,6 +183,7 @@ def application(where: Site) -> App:
         Route("/api/deviation", measure, methods=["POST"]),
         Route("/api/demands", demands, methods=["POST"]),
         Route("/api/fair", fairer, methods=["POST"]),
+        Route("/api/prove", prove, methods=["POST"]),
     ]
     inner = Starlette(
         routes=routes,

@@ -5,6 +5,7 @@ import { fromDict, ModelError, type Model, type Patch } from "../numerics/model"
 import { fromToml, toToml } from "../toml";
 import { download, fileName } from "../ui/dom";
 import type { Aims, Beside, Light } from "./aims";
+import type { Proved } from "./proofs";
 import type { Source } from "./state";
 
 /** A kind of file that can be exported to, as in Python's table. */
@@ -64,6 +65,8 @@ export interface Host {
   save(name: string, model: Model, tag: string | null): Promise<Source | null>;
   formats(model: Model, patch: string): Promise<readonly Format[]>;
   export(order: Order, format: Format): Promise<Delivered>;
+  /** Decide a claim on all points of a model; only where a server does it. */
+  prove?(model: Model, claim: string): Promise<Proved>;
 }
 
 /** A page without a server: files are read here and saved as downloads. */
@@ -151,6 +154,11 @@ export class LiveHost implements Host {
   async fairer(model: Model, patch: string, only: string): Promise<{ model: Model; before: number; after: number; notes: readonly string[] }> {
     const answer = (await this.ask("POST", "api/fair", JSON.stringify({ text: toToml(model), patch, only }))) as { model: unknown; before: number; after: number; notes: string[] };
     return { ...answer, model: fromDict(answer.model) };
+  }
+
+  /** What comes of a claim on the model, box by box. */
+  async prove(model: Model, claim: string): Promise<Proved> {
+    return (await this.ask("POST", "api/prove", JSON.stringify({ text: toToml(model), claim }))) as Proved;
   }
 
   /** The surfaces of patches that the page cannot build. */

@@ -10,6 +10,7 @@ import { analyse } from "../numerics/sample";
 import type { Surface } from "../numerics/surface";
 import type { Frame } from "../view/frame";
 import type { SurfaceMesh } from "../view/mesh";
+import type { Regions } from "../view/proof";
 import { toothOf, toothOfCurves } from "../view/overlays";
 import { drawTarget } from "../view/target";
 import { sharpest, type Sharpest } from "../view/radius";
@@ -37,7 +38,7 @@ export class Painter {
   /** Scene length of the teeth of curves' combs per curvature. */
   private tooth = 0;
 
-  constructor(private readonly stage: Stage, private readonly fail: (message: string) => void) {}
+  constructor(private readonly stage: Stage, private readonly proofOf: (patch: Patch) => Regions | null, private readonly fail: (message: string) => void) {}
 
   get meshes(): SurfaceMesh[] {
     return this.stage.cells.flatMap((cell) => cell.pieces.filter((piece) => piece.surface).map((piece) => piece.mesh));
@@ -146,6 +147,7 @@ export class Painter {
   private overlay(cell: Cell, state: State, frame: Frame, editable: boolean, tooth: number): void {
     cell.pieces.forEach((piece, i) => {
       if ((!piece.surface && !piece.curve.length) || !piece.patch) return;
+      piece.mesh.prove(piece.surface ? this.proofOf(piece.patch) : null);
       const net = state.settings.net, active = net && editable && i === state.patch;
       const lines = piece.surface ? linesOf(state.settings, tooth) : `curve ${this.tooth}`;
       if (piece.lines !== lines && !piece.surface) piece.overlays.curve(piece.curve, frame, this.tooth);

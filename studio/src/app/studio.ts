@@ -29,6 +29,7 @@ import { LiveHost, type Host } from "./host";
 import { press } from "./keys";
 import { Painter } from "./painter";
 import { listen, still } from "./pointer";
+import { Proofs } from "./proofs";
 import { remembered, type Settings } from "./settings";
 import { activePatch, Store, type Source, type State } from "./state";
 import { warningOf } from "./warning";
@@ -64,6 +65,7 @@ export class Studio {
   private range: Range | null = null;
   private sharp: { cell: number; at: Sharpest }[] = [];
   private readonly painter: Painter;
+  private readonly proofs: Proofs | null;
   private surfaces = 0;
   private planned = 0;
   private shownAt = 0;
@@ -85,7 +87,8 @@ export class Studio {
     });
     const { store } = this;
     this.stage = new Stage(this.canvas);
-    this.painter = new Painter(this.stage, (message) => this.status.warn(message));
+    this.proofs = host.prove ? new Proofs(store, host, () => this.plan(true)) : null;
+    this.painter = new Painter(this.stage, (patch) => this.proofs?.of(patch) ?? null, (message) => this.status.warn(message));
     this.files = new Files(store, host, () => this.root, (choice) => this.picture(choice), () => [this.centre.clientWidth, this.centre.clientHeight], () => this.range && [this.range.low, this.range.high]);
     this.bar = new TopBar(store, this.files, () => this.switchTheme(), () => void showHelp(this.root), () => this.root.classList.toggle("with-left"), host.kind !== "live");
     this.model = new ModelPanel(store);
@@ -95,6 +98,7 @@ export class Studio {
       this.inspector.element.append(this.aims.element);
       new Follower(store, host);
     }
+    if (this.proofs) this.inspector.element.append(this.proofs.element);
     this.probe = new ProbePanel(store, () => this.plan());
     this.status = new StatusBar(store);
     this.hud = new Hud(store, this.stage, { fit: () => this.fit(), view: (name) => this.view(name) });

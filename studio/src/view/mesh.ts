@@ -11,6 +11,7 @@ import type { Surface } from "../numerics/surface";
 import { coverage, windowOf } from "../numerics/trim";
 import { bytes, classColours, mapColours, type Rgb } from "../ui/colours";
 import type { Frame } from "./frame";
+import { proofTexture, type Regions } from "./proof";
 import { FRAGMENT, VERTEX } from "./shader";
 
 const MISSING = 1e38;
@@ -43,6 +44,7 @@ export class SurfaceMesh {
   /** The box around the points in the scene, low and high of x, y, z. */
   readonly box: number[] = [];
   private trim: Surface["trim"];
+  private proved: Regions | null = null;
   private counted: { version: number; counts: number[] } | null = null;
   private readonly buffers = new Map<number, Buffers>();
   private current: Buffers | null = null;
@@ -57,7 +59,7 @@ export class SurfaceMesh {
         undefinedColour: { value: new Vector3() }, stripes: { value: 0 }, density: { value: 20 }, light: { value: new Vector3(0, 0, 1) },
         curves: { value: 0 }, cut: { value: new Vector4() }, clipped: { value: false }, wire: { value: false },
         shade: { value: 1 }, towards: { value: new Vector3(0, 0, 1) }, faded: { value: 0 },
-        face: { value: null }, trimmed: { value: false },
+        face: { value: null }, trimmed: { value: false }, proof: { value: null }, proving: { value: false },
       },
     });
     this.mesh = new Mesh(undefined, this.material);
@@ -137,6 +139,16 @@ export class SurfaceMesh {
     }
   }
 
+  /** Lay the map of a claim over the colours; null takes it away. */
+  prove(map: Regions | null): void {
+    if (map === this.proved) return;
+    this.proved = map;
+    const u = this.material.uniforms;
+    u["proof"]!.value?.dispose();
+    u["proof"]!.value = map?.rectangles.length ? proofTexture(map) : null;
+    u["proving"]!.value = u["proof"]!.value !== null;
+  }
+
   /** Draw nothing, until it is updated again. */
   clear(): void {
     this.current = null;
@@ -167,7 +179,7 @@ export class SurfaceMesh {
       b.geometry.dispose();
       b.texture.dispose();
     }
-    this.material.uniforms["face"]!.value?.dispose();
+    for (const name of ["face", "proof"]) this.material.uniforms[name]!.value?.dispose();
     this.material.dispose();
   }
 

@@ -40,6 +40,8 @@ uniform vec3 towards;        // direction to the eye, orthographic
 uniform float faded;
 uniform sampler2D face;      // what the loops of a trimmed face leave, over the window that they span
 uniform bool trimmed;
+uniform sampler2D proof;     // what is proved, refuted and open, over the parameters
+uniform bool proving;
 
 const float MISSING = 1e37;
 
@@ -82,6 +84,11 @@ void main() {
   } else if (mode == 2) {
     float code = at(ivec2(clamp(floor(parameters * (cells - 1.0) + 0.5), vec2(0.0), cells - 1.0)));
     colour = texelFetch(colours, ivec2(int(code + 0.5), 0), 0).rgb;
+  }
+
+  if (proving) {
+    vec4 said = texture(proof, parameters);
+    colour = mix(colour, said.rgb, 0.8 * said.a);
   }
 
   if (stripes > 0) {
