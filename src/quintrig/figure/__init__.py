@@ -12,11 +12,11 @@ from quintrig.figure.camera import SIDE as SIDE
 from quintrig.figure.camera import TOP as TOP
 from quintrig.figure.camera import VIEWS as VIEWS
 from quintrig.figure.camera import View as View
-from quintrig.figure.comparison import code_map as code_map
-from quintrig.figure.comparison import comparison as comparison
-from quintrig.figure.comparison import map_comparison as map_comparison
-from quintrig.figure.comparison import overlay as overlay
-from quintrig.figure.comparison import projections as projections
+from quintrig.figure.compared import code_map as code_map
+from quintrig.figure.compared import comparison as comparison
+from quintrig.figure.compared import map_comparison as map_comparison
+from quintrig.figure.compared import overlay as overlay
+from quintrig.figure.compared import projections as projections
 from quintrig.figure.curve import basis_functions as basis_functions
 from quintrig.figure.curve import plane_curves as plane_curves
 from quintrig.figure.diagram import hk_table as hk_table

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from quintrig.analysis.sample import Sample
 from quintrig.figure.along import curvature_plot, torsion_plot
 from quintrig.figure.camera import ViewName
-from quintrig.figure.comparison import projections
+from quintrig.figure.compared import projections
 from quintrig.figure.curve import plane_curves
 from quintrig.figure.field import Field, common_limits, facet_fields, levels_of, natural_scale
 from quintrig.figure.flat import draw_map, map_axes, map_fields

@@ -10,7 +10,7 @@ from quintrig.figure.flat import draw_map, lines_note, map_axes, map_fields, zer
 from quintrig.figure.frame import panel_size
 from quintrig.figure.legend import draw_class_list, draw_key, key_height, key_width
 from quintrig.figure.read_lines import marks_at, staged
-from quintrig.figure.scene import Mark, Scene, bounds, share_outside, thinned
+from quintrig.figure.scene import Mark, Scene, beside, bounds, share_outside, thinned
 from quintrig.figure.sheet import KeyPlace, columns_for, sheet
 from quintrig.figure.space import draw_space
 from quintrig.figure.style import STANDARD, Style
@@ -112,7 +112,7 @@ def panels(
     """
     width = style.across(width)
     patches = several(surfaces)
-    scene = thinned(staged(scene or Scene(normal=None in keys), style, patches), len(patches))
+    scene = beside(thinned(staged(scene or Scene(normal=None in keys), style, patches), len(patches)), len(keys))
     columns = columns_for(width, len(keys), columns)
     box = bounds(patches, scene, style)
     panel = panel_size(scene.view, *box, (width - 0.2 - 0.12 * (columns - 1)) / columns, scene.frame)

@@ -25,7 +25,7 @@ from quintrig.figure.frame import equal_scale, panel_size, stacked_scale
 from quintrig.figure.legend import draw_class_list, draw_key, key_height, list_height
 from quintrig.figure.palette import SERIES
 from quintrig.figure.read_lines import marks_at, staged
-from quintrig.figure.scene import Box, Mark, Scene, bounds, settled, share_outside, thinned
+from quintrig.figure.scene import Box, Mark, Scene, beside, bounds, settled, share_outside, thinned
 from quintrig.figure.sheet import columns_for, sheet
 from quintrig.figure.space import draw_space
 from quintrig.figure.style import STANDARD, Style
@@ -55,7 +55,7 @@ def comparison(
     All have one scale of length and one of colour. ``columns`` 0 chooses: 2 for four surfaces, else up to 3.
     """
     width = style.across(width)
-    scene = staged(scene or Scene(), replace(style, lines=None), surfaces)
+    scene = beside(staged(scene or Scene(), replace(style, lines=None), surfaces), len(surfaces))
     each_scene = [staged(scene, Style(lines=style.lines), [surface]) for surface in surfaces]
     columns = columns_for(width, len(surfaces), columns or (2 if len(surfaces) == 4 else 3))
     fields = facet_fields(surfaces, key, scene.cells, thresholds)
@@ -181,7 +181,8 @@ def projections(
     """
     width = style.across(width)
     patches = several(surfaces)
-    scene = thinned(staged(scene or Scene(isolines=7), replace(style, view=None), patches), len(patches))
+    scene = staged(scene or Scene(isolines=7), replace(style, view=None), patches)
+    scene = beside(thinned(scene, len(patches)), 3)
     fields = facet_fields(patches, key, scene.cells, thresholds)
     stretch = common_limits(fields, style)
     levels = levels_of(style, stretch)
