@@ -13,11 +13,13 @@ from quintrig.figure.along import curvature_plot, torsion_plot
 from quintrig.figure.beside import projections
 from quintrig.figure.camera import ISO, VIEWS, View
 from quintrig.figure.curve import plane_curves
+from quintrig.figure.deviation import deviation_picture
 from quintrig.figure.field import Field, common_limits, facet_fields, levels_of, natural_scale
 from quintrig.figure.flat import draw_map, map_axes, map_fields
 from quintrig.figure.legend import draw_key, key_width
 from quintrig.figure.read_lines import traces_of
 from quintrig.figure.save import save as write
+from quintrig.figure.scan import scan_picture
 from quintrig.figure.scene import Mark, Scene, Trace, thinned
 from quintrig.figure.sheet import sheet
 from quintrig.figure.space import draw_space
@@ -31,12 +33,15 @@ from quintrig.interrogation.line import Lines
 from quintrig.model.model import Model
 from quintrig.model.patch import Patch
 from quintrig.quantities.table import quantity as row
+from quintrig.scan.curvature import ScanCurvature, scan_curvature
+from quintrig.scan.deviation import Deviation
+from quintrig.scan.scan import Scan
 from quintrig.support.arrays import parameter
 from quintrig.support.errors import ArgumentError
 from quintrig.support.numerals import real
 from quintrig.support.tolerance import SAME_COLOUR
 
-Subject = Surface | Patch | Model | Curve | Sample | Sequence[Curve]
+Subject = Surface | Patch | Model | Curve | Sample | Scan | ScanCurvature | Deviation | Sequence[Curve]
 ViewName = str | tuple[float, float]
 
 CURVE_PICTURES = ("curve", "comb", "hull", "curvature", "torsion")
@@ -79,7 +84,7 @@ def plot(
     axes: Any = None,
     save: str | Path | None = None,
 ) -> Figure:
-    """Return a picture of a surface, patch, model, curve, several curves or a sample, as a matplotlib figure.
+    """Return a picture of a surface, patch, model, curve, several curves, sample, scan or deviation, by matplotlib.
 
     ``quantity`` is a key or symbol of the table, several for pictures side by side, "surface" for the plain one,
     "zebra" for stripes that are reflected; for curves "curve", "comb", "hull", "curvature" or "torsion", the last two
@@ -106,6 +111,8 @@ def plot(
     page = _page(subject, heading, unit, chosen, None if width is None else inches(width))
     if isinstance(subject, Sample):
         figure = _of_sample(subject, names, page, axes)
+    elif isinstance(subject, Scan | ScanCurvature | Deviation):
+        figure = _of_points(subject, names, view, page, axes)
     elif isinstance(subject, Surface | Patch) or (isinstance(subject, Model) and subject.patches):
         surfaces = _surfaces(subject)
         if names == ["zebra"] and axes is None and view not in ("all", "flat"):
@@ -176,9 +183,23 @@ def read_view(view: ViewName, others: Sequence[str] = ()) -> View:
 
 def _page(subject: Subject, heading: str, unit: str, style: Style, width: float | None) -> _Page:
     """Return what a page says, from the subject where nothing is said of it."""
-    named = subject.name if isinstance(subject, Patch | Model) else ""
+    named = subject.name if isinstance(subject, Patch | Model | Scan) else ""
     of_model = subject.unit if isinstance(subject, Model) else ""
     return _Page(heading or named, unit or of_model, style, width)
+
+
+def _of_points(
+    subject: Scan | ScanCurvature | Deviation, names: Sequence[str], view: ViewName, page: _Page, axes: Any
+) -> Figure:
+    """Return a scan, coloured by its curvature where quantities are named, or a deviation."""
+    if axes is not None:
+        raise ArgumentError("a scan and a deviation have a figure of their own; leave the axes out", "axes")
+    width = page.width or 8.0
+    if isinstance(subject, Deviation):
+        return deviation_picture(subject, page.heading, width, style=page.style)
+    keys = [key for key in read_quantities(names) if key is not None]
+    found = scan_curvature(subject) if keys and isinstance(subject, Scan) else subject
+    return page.style.finish(scan_picture(found, keys, view=read_view(view), title=page.heading, width=width))
 
 
 def _surfaces(subject: Surface | Patch | Model) -> list[Surface]:
