@@ -15,6 +15,7 @@ _MOST = 20_000  # points drawn
 
 def deviation_picture(result: Deviation, title: str = "", width: float = 8.0, *, style: Style = STANDARD) -> Figure:
     """Return the surfaces with the points coloured by distance, blue below and red above, beside a histogram."""
+    width = style.across(width)
     figure = Figure(figsize=(width, 0.56 * width), layout="constrained")
     drawn: Any = figure
     grid: Any = drawn.add_gridspec(1, 2, width_ratios=(1.7, 1.0))

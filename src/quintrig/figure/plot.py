@@ -13,6 +13,7 @@ from quintrig.figure.along import curvature_plot, torsion_plot
 from quintrig.figure.camera import ViewName
 from quintrig.figure.compared import projections
 from quintrig.figure.curve import plane_curves
+from quintrig.figure.deviation import deviation_picture
 from quintrig.figure.field import Field, common_limits, facet_fields, levels_of, natural_scale
 from quintrig.figure.flat import draw_map, map_axes, map_fields
 from quintrig.figure.legend import draw_key, key_width
@@ -34,6 +35,7 @@ from quintrig.model.model import Model
 from quintrig.model.patch import NamedCurve, Patch
 from quintrig.quantities.table import quantity as row
 from quintrig.scan.curvature import ScanCurvature, scan_curvature
+from quintrig.scan.deviation import Deviation
 from quintrig.scan.scan import Scan
 from quintrig.support.errors import ArgumentError
 from quintrig.support.tolerance import SAME_COLOUR
@@ -50,6 +52,7 @@ Subject = (
     | Line
     | Scan
     | ScanCurvature
+    | Deviation
 )
 
 CURVE_PICTURES = ("curve", "comb", "hull", "curvature", "torsion")
@@ -91,7 +94,7 @@ def plot(
     axes: Any = None,
     save: str | Path | None = None,
 ) -> Figure:
-    """Return a picture of a surface, patch, model, curve, sample, lines or scan, as a matplotlib figure.
+    """Return a picture of a surface, patch, model, curve, sample, lines, scan or deviation by matplotlib.
 
     ``quantity`` is a key or symbol of the table, several for pictures side by side, "surface" for the plain one,
     "zebra" for stripes that are reflected; for curves "curve", "comb", "hull", "curvature" or "torsion", the last two
@@ -141,6 +144,8 @@ def _figure(
         raise ArgumentError("expected a surface, patch, model of surfaces or sample to draw there", "axes")
     if several:
         raise ArgumentError(f"expected one view in space, got {several!r}: it belongs to surfaces", "view")
+    if isinstance(subject, Deviation):
+        return deviation_picture(subject, page.heading, style=page.style)
     if isinstance(subject, Scan | ScanCurvature):
         keys = [key for key in read_quantities(names) if key is not None]
         subject = scan_curvature(subject) if keys and isinstance(subject, Scan) else subject

@@ -15,6 +15,7 @@ from quintrig.scan.nearest import Finder
 from quintrig.scan.scan import Scan
 from quintrig.shaping.fitting import curves, solve
 from quintrig.shaping.fitting.forms import KINDS, Form, form_of
+from quintrig.shaping.fitting.intervals import intervals
 from quintrig.shaping.fitting.mirror import mirror_of
 from quintrig.shaping.fitting.primitives import PRIMITIVES, fit_primitive
 from quintrig.shaping.fitting.result import Fit, ShapeValue
@@ -32,6 +33,8 @@ _GRIDS = ((1, 1), (2, 2), (3, 3), (4, 4), (6, 6), (8, 8))
 
 _FIRST, _MAIN, _LAST = 1200, 6000, 200_000
 """Points by which the start is chosen, by which it is refined, and at the end."""
+
+_PROFILE = 3000  # points by which it is tried how far a shape parameter may go
 
 _ENERGY = 1e-9  # of the size: a spread below this is a line or a point
 
@@ -231,21 +234,20 @@ class _Work:
         model = model_of(dumps, form.grid, self.name, self.scan.unit)
         measured = deviation(model, self.scan, tolerance=self.tolerance)
         kept = inliers(measured.distance) if self.data.robust else np.ones(len(measured), dtype=np.bool_)
-        shape: list[ShapeValue] = []
+        shape: tuple[ShapeValue, ...] = ()
         notes = list(self.scan.notes)
         if self.free and len(state.theta):
-            off, _ = solve.spread(form, self.data.some(_LAST), state)
-            for (label, one), value, std in zip(form.ranges.items(), state.theta.tolist(), off.tolist(), strict=True):
-                low, high = max(one.low, value - 1.96 * std), min(one.high, value + 1.96 * std)
-                shape.append(ShapeValue(label, value, std, low, high))
-                if high - low > 0.5 * (one.high - one.low):
-                    notes.append(f"{label} is poorly determined by these points: 95 % interval {low:.3g} to {high:.3g}")
+            shape = intervals(form, self.data.some(_PROFILE), self.data.some(_LAST), state)
+            for one, limits in zip(shape, form.ranges.values(), strict=True):
+                if one.high - one.low > 0.5 * (limits.high - limits.low):
+                    ends = f"95 % interval {one.low:.3g} to {one.high:.3g}"
+                    notes.append(f"{one.name} is poorly determined by these points: {ends}")
         if len(self.scan.points) * 3 < len(state.q):
             notes.append(f"{len(self.scan.points)} points do not determine {len(state.q)} numbers: the rest is smooth")
         facts: dict[str, Any] = {"grid": list(form.grid), "join": self.join if form.patches > 1 else None}
         if self.kind == "symmetric":
             facts["mirror"] = dumps[0]["mirror"]
-        return Fit(model, self.kind, measured, kept, tuple(shape), self.tolerance, facts, tuple(notes))
+        return Fit(model, self.kind, measured, kept, shape, self.tolerance, facts, tuple(notes))
 
 
 def model_of(dumps: list[dict[str, Any]], grid: tuple[int, int], name: str, unit: str) -> Model:

@@ -91,8 +91,10 @@ def begun(form: Form, data: Data, at: FloatArray) -> State:
     return State(_solved(made.net, made.to_net), theta)
 
 
-def refined(form: Form, data: Data, state: State, free: bool, rounds: int, exact: float = 1e-5) -> State:
-    """Return the fit that distances cannot be made less from; ``free`` lets the shape parameters move."""
+def refined(
+    form: Form, data: Data, state: State, free: bool, rounds: int, exact: float = 1e-5, but: int | None = None
+) -> State:
+    """Return the fit that distances cannot be made less from; ``free`` lets the shape parameters move, ``but`` one."""
     best, slide = state, 0.3
     here = state
     stuck = 0
@@ -115,7 +117,7 @@ def refined(form: Form, data: Data, state: State, free: bool, rounds: int, exact
             weights = _trusted(feet, data)
         if stuck >= 4 or rms < 1e-14:
             break
-        here = _stepped(form, here, feet, data, weights, slide, free)
+        here = _stepped(form, here, feet, data, weights, slide, free, but)
     else:
         feet = _feet(form, here, data)
         rms = _rms(feet, _trusted(feet, data))
@@ -201,7 +203,16 @@ def _made(form: Form, state: State, feet: Feet, data: Data, weights: FloatArray,
     return _system(form, state.q, state.theta, feet.which, at, weight, feet.away, data.smooth, free)
 
 
-def _stepped(form: Form, state: State, feet: Feet, data: Data, weights: FloatArray, slide: float, free: bool) -> State:
+def _stepped(
+    form: Form,
+    state: State,
+    feet: Feet,
+    data: Data,
+    weights: FloatArray,
+    slide: float,
+    free: bool,
+    but: int | None = None,
+) -> State:
     free = free and len(state.theta) > 0
     made = _made(form, state, feet, data, weights, slide, free)
     theta = state.theta
@@ -213,9 +224,13 @@ def _stepped(form: Form, state: State, feet: Feet, data: Data, weights: FloatArr
         schur = schur + slide * np.diag(np.abs(np.diag(schur))) + 1e-9 * np.diag(np.diag(made.shape))
         low = np.array([one.low + (1e-6 if one.open[0] else 0.0) for one in form.ranges.values()])
         high = np.array([one.high - (1e-6 if one.open[1] else 0.0) for one in form.ranges.values()])
-        shift = _bounded(schur, right, low - theta, high - theta, 0.5 * (high - low))
+        lowest, highest = low - theta, high - theta
+        if but is not None:
+            lowest[but] = highest[but] = 0.0
+        shift = _bounded(schur, right, lowest, highest, 0.5 * (high - low))
+        shift = np.clip(shift, lowest, highest)
     net = _solved(made.net, made.to_net - made.mixed @ shift if free else made.to_net)
-    return State(state.q + net, theta + shift)
+    return State(state.q + net, np.clip(theta + shift, low, high) if free else theta)
 
 
 def _bounded(matrix: FloatArray, right: FloatArray, low: FloatArray, high: FloatArray, most: FloatArray) -> FloatArray:
