@@ -21,6 +21,9 @@ DOCS = Path(__file__).parent
 ROOT = DOCS.parent
 TAKEN_IN = {"changelog.md": "CHANGELOG.md", "contributing.md": "CONTRIBUTING.md"}
 CODE = re.compile(r"(```.*?```|`[^`\n]*`)", re.DOTALL)
+ASKING = re.compile(
+    r"<script\b[^>]*>(?:(?!</script>).)*https://(?:unpkg|cdnjs)\.(?:(?!</script>).)*</script>", re.DOTALL
+)
 DISPLAY = re.compile(r"\$\$(.+?)\$\$", re.DOTALL)
 INLINE = re.compile(r"(?<![\\$\w])\$([^\s$](?:[^$\n]*[^\s$])?)\$(?!\w)")
 
@@ -71,6 +74,11 @@ def on_page_markdown(markdown: str, **_: object) -> str:
     """Turn LaTeX between dollars into MathML, which browsers draw without a script; code stays as it is."""
     parts = CODE.split(markdown)
     return "".join(part if index % 2 else _formulas(part) for index, part in enumerate(parts))
+
+
+def on_page_content(html: str, **_: object) -> str:
+    """Leave out of notebooks the scripts by which they would ask another server: for widgets, which have no kernel."""
+    return ASKING.sub("", html)
 
 
 def _formulas(text: str) -> str:
