@@ -65,3 +65,10 @@ def test_no_page_asks_another_server_for_anything(site):
             r'<(?:script|img|iframe)[^>]* src="(https?:[^"]+)"|<link[^>]*stylesheet[^>]*href="(https?:[^"]+)"', text
         )
         assert asked == [], page.name
+        assert not re.search(r"https://(?:unpkg|cdnjs|cdn)\.", text), page.name  # what a script would ask
+
+
+def test_pages_opened_from_disk_can_be_searched(site):
+    assert "umbilic" in (site / "search" / "search_index.js").read_text(encoding="utf-8")
+    assert '<script src="iframe-worker.js"></script>' in (site / "index.html").read_text(encoding="utf-8")
+    assert (site / "iframe-worker.js").is_file()
