@@ -1,6 +1,6 @@
 """Stripes across a seam.
 
-The stripes of a striped room, reflected in the rear window and the boot lid of a car: they break where both meet in a crease.
+A striped room, reflected in the rear window and the boot lid of a car: the stripes break where both meet in a crease.
 """
 
 import quintrig
