@@ -8,8 +8,10 @@ import sys
 from pathlib import Path
 
 import pytest
+import typer
 
 from cli_runner import quintrig
+from quintrig.cli.app import build as build_commands
 
 ROOT = Path(__file__).parent.parent
 
@@ -52,7 +54,13 @@ def test_every_command_has_its_reference(site):
     assert {"check", "table", "report", "joins"} <= names
     for name in names:
         assert f"quintrig {name}</code>" in page, name
+        assert f'href="#quintrig-{name}"' in page, name
+    for name, command in typer.main.get_command(build_commands()).commands.items():
+        part = page.partition(f'<h2 id="quintrig-{name}"')[2].partition("<h2")[0]
+        for option in (word for one in command.params if not getattr(one, "hidden", False) for word in one.opts):
+            assert not option.startswith("-") or option in part, (name, option)
     assert "[bold]" not in page
+    assert "..." not in re.findall(r'<a href="#quintrig-\w+">.*', page)[0]  # whole sentences
 
 
 def test_no_page_asks_another_server_for_anything(site):
@@ -62,3 +70,10 @@ def test_no_page_asks_another_server_for_anything(site):
             r'<(?:script|img|iframe)[^>]* src="(https?:[^"]+)"|<link[^>]*stylesheet[^>]*href="(https?:[^"]+)"', text
         )
         assert asked == [], page.name
+        assert not re.search(r"https://(?:unpkg|cdnjs|cdn)\.", text), page.name  # what a script would ask
+
+
+def test_pages_opened_from_disk_can_be_searched(site):
+    assert "umbilic" in (site / "search" / "search_index.js").read_text(encoding="utf-8")
+    assert '<script src="iframe-worker.js"></script>' in (site / "index.html").read_text(encoding="utf-8")
+    assert (site / "iframe-worker.js").is_file()
