@@ -216,7 +216,7 @@ def _stepped(
     free = free and len(state.theta) > 0
     made = _made(form, state, feet, data, weights, slide, free)
     theta = state.theta
-    shift = np.zeros(len(theta))
+    moved, shift = theta, np.zeros(len(theta))
     if free:
         # The net's part of the equations is eliminated: what remains is in the shape parameters alone.
         schur = made.shape - made.mixed.T @ _solved(made.net, made.mixed)
@@ -229,8 +229,9 @@ def _stepped(
             lowest[but] = highest[but] = 0.0
         shift = _bounded(schur, right, lowest, highest, 0.5 * (high - low))
         shift = np.clip(shift, lowest, highest)
+        moved = np.clip(theta + shift, low, high)
     net = _solved(made.net, made.to_net - made.mixed @ shift if free else made.to_net)
-    return State(state.q + net, np.clip(theta + shift, low, high) if free else theta)
+    return State(state.q + net, moved)
 
 
 def _bounded(matrix: FloatArray, right: FloatArray, low: FloatArray, high: FloatArray, most: FloatArray) -> FloatArray:
