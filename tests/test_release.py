@@ -94,6 +94,9 @@ def test_version_stands_alike_everywhere():
     }
     for path, pattern in said.items():
         assert re.findall(pattern, (ROOT / path).read_text(encoding="utf-8"), re.MULTILINE) == [version], path
+    heading = re.search(r"^## (\S+) \((\d{4}-\d\d-\d\d)\)$", (ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), re.M)
+    released = re.search(r"^date-released: (.*)$", (ROOT / "CITATION.cff").read_text(encoding="utf-8"), re.MULTILINE)
+    assert heading.groups() == (version, released[1])
 
 
 def test_the_recipe_asks_for_what_the_package_asks_for():

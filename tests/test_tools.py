@@ -1,6 +1,7 @@
 """What other tools get is the same surface: points, curvature and sides, held against values of their own."""
 
 import importlib.util
+import json
 import os
 import sys
 from dataclasses import replace
@@ -301,7 +302,18 @@ def test_the_endpoint_for_grasshopper_answers(tmp_path):
     specification.loader.exec_module(module)
     x, y = np.meshgrid(np.arange(6.0), np.arange(6.0), indexing="ij")
     points = [SimpleNamespace(X=a, Y=b, Z=0.1 * a * a) for a, b in zip(x.ravel(), y.ravel(), strict=True)]
+    client = module.app.test_client()
+    sent = [
+        {"type": "Rhino.Geometry.Point3d", "data": json.dumps({axis: getattr(p, axis) for axis in "XYZ"})}
+        for p in points
+    ]
+    half = [{"type": "System.Double", "data": "0.5"}] * 4
+    values = [{"ParamName": n, "InnerTree": {"{0}": v}} for n, v in (("Points", sent), ("Shape", half))]
+    answer = client.post("/solve", json={"pointer": "/tensor", "values": values})  # as Grasshopper asks
+    assert answer.status_code == 200
     surface, radius = module.tensor(points, [0.5, 0.5, 0.5, 0.5])
+    told = json.loads(answer.data)["values"][1]["InnerTree"]["0"][0]["data"]
+    assert float(told) == pytest.approx(radius)
     form = surface.PointAt(0.0, 0.0)
     assert pytest.approx([0.0, 0.0, 0.0]) == [form.X, form.Y, form.Z]
     own = quintrig.tensor([[[p.X, p.Y, p.Z] for p in points[k : k + 6]] for k in range(0, 36, 6)], (0.5,) * 4)

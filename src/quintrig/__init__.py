@@ -105,7 +105,7 @@ if TYPE_CHECKING:
     from quintrig.shaping.strip import strip as strip
     from quintrig.support.errors import ModelError as ModelError
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 
 _HOME = {
     "analysis.agreement": ("compare_methods",),
