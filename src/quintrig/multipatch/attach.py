@@ -7,6 +7,7 @@ import numpy as np
 
 from quintrig.model.held import Held, held
 from quintrig.model.model import Model
+from quintrig.model.outcome import model_of
 from quintrig.model.patch import Patch
 from quintrig.multipatch.beside import broken, ratio_along, seams_beside
 from quintrig.multipatch.boundary import SIDES, Edge, edges
@@ -38,28 +39,6 @@ class Attached:
     notes: tuple[str, ...]
 
 
-def join(
-    model: Model,
-    first: str,
-    second: str,
-    order: str = "G1",
-    ratio: float | None = None,
-    *,
-    both: bool = False,
-    convert: bool = False,
-    hold: bool = False,
-) -> Model:
-    """Return the model with the second side moved, as little as needed, to join the first: ``"a:u1"``, ``"b:u0"``.
-
-    ``order`` is G0, G1, G2 or G3; ``ratio`` > 0 that of the speeds across the seam, second to first, by default that
-    of the seam which this one goes on from at a corner, else the one of least change. Other seams of the second patch
-    are kept where all can be met at once. With ``both`` the first patch moves too; with ``convert`` a patch that cannot
-    stay of its kind becomes a tensor-product patch; with ``hold`` the model keeps the join from now on. Raises
-    ModelError or ValueError for sides that cannot be joined.
-    """
-    return attach(model, first, second, order, ratio, both=both, convert=convert, hold=hold).model
-
-
 def attach(
     model: Model,
     first: str,
@@ -71,7 +50,14 @@ def attach(
     convert: bool = False,
     hold: bool = False,
 ) -> Attached:
-    """Do what ``join`` does, and tell what came of it."""
+    """Return the model with the second side moved, as little as needed, to join the first: ``"a:u1"``, ``"b:u0"``.
+
+    ``order`` is G0, G1, G2 or G3; ``ratio`` > 0 that of the speeds across the seam, second to first, by default that
+    of the seam which this one goes on from at a corner, else the one of least change. Other seams of the second patch
+    are kept where all can be met at once. With ``both`` the first patch moves too; with ``convert`` a patch that cannot
+    stay of its kind becomes a tensor-product patch; with ``hold`` the model keeps the join from now on. Raises
+    ModelError or ValueError for sides that cannot be joined.
+    """
     level = _order(order)
     if ratio is not None and not 0.0 < ratio < float("inf"):
         raise ValueError(f"ratio: expected a finite number greater than 0, found {ratio:g}")
@@ -97,6 +83,9 @@ def attach(
     seam = _seam(result, (one.name, side1), (two.name, side2))
     worse = tuple(_worse(model, result, set(changed), {(one.name, side1), (two.name, side2)}))
     return Attached(result, seam, ratio_used, moved, exact, (*notes, *worse))
+
+
+join = model_of(attach, "join")
 
 
 def side_of(model: Model, text: str) -> tuple[Patch, str]:
