@@ -20,15 +20,17 @@ export interface Seam {
   readonly curvature: number;
   readonly rate: number;
   readonly order: Order;
+  /** The largest gap of a closed seam, length¹. */
+  readonly tolerance: number;
   readonly points: readonly Vec3[];
 }
 
 const IN_MM: Record<string, number> = { um: 1e3, mm: 1, cm: 0.1, m: 1e-3, km: 1e-6, in: 1 / 25.4, ft: 1 / 304.8 };
 const NEAR = 0.2, FLAT = 1e-3; // as in Python: a near miss, of length and width; the curvature at a size that is none
 const LITTLE = 0.05; // of a side: less than that in common is a corner
-const GAP = 0.01, ANGLE = 0.1, JUMP = 0.05; // the engineering limits: mm, degrees, and relative
+export const GAP = 0.01, ANGLE = 0.1, JUMP = 0.05; // the engineering limits: mm, degrees, and relative
 
-interface Measured extends Omit<Seam, "first" | "second" | "curvature" | "rate" | "order"> {
+interface Measured extends Omit<Seam, "first" | "second" | "curvature" | "rate" | "order" | "tolerance"> {
   readonly stretches: readonly [Stretch, Stretch];
   readonly curvatures: readonly (readonly [number, number])[];
   readonly rates: readonly (readonly [number, number])[];
@@ -50,7 +52,7 @@ export function seamsOf(surfaces: readonly (Surface | null)[], unit: string): Se
       if (!pair) continue;
       const { curvatures, rates, stretches, ...rest } = pair, curvature = largest(curvatures, floor), rate = largest(rates, floor / least);
       const steps = [rest.gap <= tolerance, rest.angle <= ANGLE, curvature <= JUMP, rate <= JUMP], fails = steps.indexOf(false);
-      found.push({ first: { patch, side: edge.side, ...stretches[0] }, second: { patch: other.patch, side: other.edge.side, ...stretches[1] }, ...rest, curvature, rate, order: ORDERS[fails < 0 ? 4 : fails]! });
+      found.push({ first: { patch, side: edge.side, ...stretches[0] }, second: { patch: other.patch, side: other.edge.side, ...stretches[1] }, ...rest, curvature, rate, tolerance, order: ORDERS[fails < 0 ? 4 : fails]! });
     }
   });
   // A side that meets another one is no near miss of a third.
