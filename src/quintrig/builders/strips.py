@@ -41,7 +41,7 @@ def blended(
     one, two = rim(model, first), rim(model, second)
     if (one.patch.name, one.side) == (two.patch.name, two.side):
         raise ModelError(f"{first}: expected two sides to blend, found one twice")
-    reverse = runs_back(one.edge, two.edge)
+    reverse = runs_back(one.edge, two.edge, (first, second), model.unit)
     far = two.across[:, ::-1] if reverse else two.across
     chord = float(np.linalg.norm(far[0] - one.points, axis=-1).mean())
     if not chord > 1e-9 * max(one.patch.surface.size, two.patch.surface.size):

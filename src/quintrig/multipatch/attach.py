@@ -13,10 +13,11 @@ from quintrig.multipatch.beside import broken, ratio_along, seams_beside
 from quintrig.multipatch.boundary import SIDES, Edge, edges
 from quintrig.multipatch.find import joins_of
 from quintrig.multipatch.joins import ORDERS, Join
-from quintrig.multipatch.match import Condition, Match, layers, match, match_all
+from quintrig.multipatch.match import Condition, Match, derivatives_across, layers, match, match_all
 from quintrig.multipatch.nets import Handle, as_tensor, handle, net_of
 from quintrig.multipatch.strips import attach_strip
 from quintrig.support.errors import ModelError, nearest
+from quintrig.support.tolerance import SINGULAR
 
 _LONGEST = 20.0
 """Edges that differ more than this in length are not joined."""
@@ -64,7 +65,9 @@ def attach(
     (one, side1), (two, side2) = side_of(model, first), side_of(model, second)
     if one.name == two.name:
         raise ModelError(f"{first} and {second}: expected sides of two patches; a patch is not joined to itself")
-    reverse = runs_back(edge_of(one, side1), edge_of(two, side2))
+    reverse = runs_back(edge_of(one, side1), edge_of(two, side2), (first, second), model.unit)
+    if level:
+        _refuse_standing(one, side1)
     if two.kind == "developable":
         if both:
             raise ModelError(f"{second}: of two developable strips only the second moves; leave out both")
@@ -121,18 +124,28 @@ def edge_of(patch: Patch, side: str) -> Edge:
     raise ModelError(f"{patch.name}:{side}: the side has points that are not finite; check the patch")
 
 
-def runs_back(first: Edge, second: Edge) -> bool:
+def runs_back(first: Edge, second: Edge, sides: tuple[str, str], unit: str = "") -> bool:
     """Return whether the second edge runs the other way; ModelError where their lengths do not go together."""
     ratio = max(first.length, second.length) / min(first.length, second.length)
     if ratio > _LONGEST:
         raise ModelError(
-            f"sides of {first.length:.3g} and {second.length:.3g} in length: expected at most {_LONGEST:g} times; "
-            "split the longer one"
+            f"{sides[0]} and {sides[1]}: lengths of {f'{first.length:.3g} {unit}'.rstrip()} and "
+            f"{f'{second.length:.3g} {unit}'.rstrip()}: expected at most {_LONGEST:g} times; split the longer one"
         )
     at = [0, 16, 48, 64]
     here = first.points[at]
     ahead, back = (np.linalg.norm(here - second.points[::step][at], axis=-1).sum() for step in (1, -1))
     return bool(back < ahead)
+
+
+def _refuse_standing(patch: Patch, side: str) -> None:
+    """Raise ModelError where a patch stands still across a side: no tangent plane goes on from it."""
+    across = derivatives_across(patch.surface, side, np.linspace(0.0, 1.0, 17), 1, outward=True)[1]
+    if not np.abs(across).max() > SINGULAR * patch.surface.size:
+        raise ModelError(
+            f"{patch.name}:{side}: the patch stands still across this side (a shape parameter of -4, or rows that "
+            "coincide), so nothing goes on from it; change it, or take G0"
+        )
 
 
 def _matched(
