@@ -1,8 +1,8 @@
 /** The seams of a model, measured in the browser: sides that meet, whole or in part, and whole ones that nearly do. */
 
-import { across, apart, cross, dot, edgesOf, place, STEPS, type Edge, type Vec3 } from "./across";
+import { across, apart, cross, dot, edgesOf, place, sizeOf, STEPS, type Edge, type Vec3 } from "./across";
 import { build, type Model } from "./model";
-import { extent, type Surface } from "./surface";
+import type { Surface } from "./surface";
 
 export const ORDERS = ["open", "G0", "G1", "G2", "G3"] as const;
 export type Order = (typeof ORDERS)[number];
@@ -55,19 +55,29 @@ export function seamsOf(surfaces: readonly (Surface | null)[], unit: string): Se
       found.push({ first: { patch, side: edge.side, ...stretches[0] }, second: { patch: other.patch, side: other.edge.side, ...stretches[1] }, ...rest, curvature, rate, tolerance, order: ORDERS[fails < 0 ? 4 : fails]! });
     }
   });
-  // A side that meets another one is no near miss of a third.
-  const key = (end: Seam["first"]) => `${end.patch} ${end.side}`, closed = new Set(found.filter((one) => one.order !== "open").flatMap((one) => [key(one.first), key(one.second)]));
-  return found.filter((one) => one.order !== "open" || !(closed.has(key(one.first)) || closed.has(key(one.second))));
+  // Sides that are taken by nearer ones, both of them and for the most part, are no near misses.
+  const taken = new Map<string, Stretch[]>(), key = (end: End) => `${end.patch} ${end.side}`;
+  const kept = new Set(found.toSorted((a, b) => a.gap - b.gap).filter((one) => {
+    const ends = [one.first, one.second];
+    if (one.order === "open" && ends.every((end) => covered(taken.get(key(end)) ?? [], end) > 0.5)) return false;
+    for (const end of ends) taken.set(key(end), [...(taken.get(key(end)) ?? []), end]);
+    return true;
+  }));
+  return found.filter((one) => kept.has(one));
+}
+
+/** The part of a stretch that others cover. */
+function covered(others: readonly Stretch[], { from, to }: Stretch): number {
+  let at = from, free = 0;
+  for (const one of others.toSorted((a, b) => a.from - b.from)) {
+    free += Math.max(0, Math.min(one.from, to) - at);
+    at = Math.max(at, one.to);
+  }
+  return 1 - (free + Math.max(0, to - at)) / Math.max(to - from, 1e-300);
 }
 
 /** The seams of a model whose patches are built here. */
 export const seams = (model: Model): Seam[] => seamsOf(model.patches.map(build), model.unit);
-
-const sizes = new WeakMap<Surface, number>();
-function sizeOf(surface: Surface): number {
-  if (!sizes.has(surface)) sizes.set(surface, extent(surface).size);
-  return sizes.get(surface)!;
-}
 
 const largest = (pairs: Measured["curvatures"], floor: number): number => Math.max(...pairs.map(([a, b]) => Math.abs(a - b) / Math.max(Math.abs(a) + Math.abs(b), floor)));
 
