@@ -316,3 +316,14 @@ def test_a_swung_patch_stays_swung(order, sides):
     done = attach(model(bowl("a"), bowl("b", **{key: after})), f"a:{sides[0]}", f"b:{sides[1]}", order)
     moved = done.model.patch("b")
     assert (moved.kind, done.exact, done.join.order >= order) == ("swung", True, True)
+
+
+@pytest.mark.parametrize("what", ["rows", "shape"])
+def test_a_side_that_stands_still_leads_nowhere(what):
+    points, shape = net(0, 1), (0.0, -4.0, 0.0, 0.0) if what == "shape" else (0.0, 0.0, 0.0, 0.0)
+    if what == "rows":
+        points[4] = points[5]
+    both = model(tensor("a", points, shape), tensor("b", net(100, 2)))
+    with pytest.raises(quintrig.ModelError, match="a:u1: the patch stands still across this side"):
+        attach(both, "a:u1", "b:u0", "G1")
+    assert attach(both, "a:u1", "b:u0", "G0").exact

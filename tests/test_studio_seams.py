@@ -49,6 +49,10 @@ MODELS = {
     "T-junction": quintrig.Model.from_dict(
         {"unit": "mm", "patch": [flat("a", -60, 0, 60, 90), flat("b", 0, 0, 40, 35), flat("c", 0, 90, 40, -55)]}
     ),
+    "a third beside two": quintrig.Model.from_dict(
+        {"unit": "mm", "patch": [flat("a", -60, 0, 60, 90), flat("b", 0, 0, 40, 90), flat("c", 0.4, 0, -50, 90)]}
+    ),
+    "capped": quintrig.cap(quintrig.Model.from_dict({"kind": "cylinder", "name": "tube"}), "tube:u1"),
     "partial": quintrig.Model.from_dict({"unit": "mm", "patch": [flat("a", -60, 0, 60, 90), flat("b", 0, 30, 40, 90)]}),
     "body": quintrig.load(EXAMPLES / "body.toml"),
 }

@@ -71,14 +71,15 @@ def check_values(trees: Sequence[Node], parameters: Sequence[Ranged]) -> None:
 
 
 def sums(trees: Sequence[Node], parameters: Sequence[Ranged]) -> tuple[float, str]:
-    """Return by how much the sum of the functions misses 1 at worst, relative to the largest, and what it is where."""
+    """Return by how much the sum of the functions misses 1 at worst, relative to the largest, and the worst sum."""
     samples = corners(parameters)
     values = series(trees, _SAMPLES[None, :], 0, _columns(parameters, samples))[0]
-    off = np.abs(values.sum(axis=-1) - 1.0) / np.maximum(1.0, np.abs(values).max(axis=-1))
-    off, found = (np.broadcast_to(one, (len(samples), len(_SAMPLES))) for one in (off, values.sum(axis=-1)))
+    found = np.broadcast_to(values.sum(axis=-1), (len(samples), len(_SAMPLES)))
+    off = np.abs(found - 1.0)
     row, column = np.unravel_index(int(off.argmax()), off.shape)
     where = _told(parameters, samples[row], float(_SAMPLES[column]))
-    return float(off[row, column]), f"their sum is {found[row, column]:.12g} {where}"
+    worst = float((off / np.maximum(1.0, np.abs(values).max(axis=-1))).max())
+    return worst, f"their sum is {found[row, column]:.12g} {where}"
 
 
 def _columns(parameters: Sequence[Ranged], samples: FloatArray) -> dict[str, FloatArray]:

@@ -8,28 +8,12 @@ from quintrig.builders.loops import Bound, in_a_loop
 from quintrig.builders.rims import Rim, common, rim, tensor, unused
 from quintrig.builders.strips import ACROSS, bend, flipped, rows_net, ways
 from quintrig.model.model import Model
+from quintrig.model.outcome import model_of
 from quintrig.model.patch import Patch
 from quintrig.support.arrays import FloatArray
 from quintrig.support.errors import ModelError
 
 _FULL = 0.5  # height of a cap on a tube, in radii
-
-
-def cap(
-    model: Model,
-    *sides: str,
-    order: str = "G1",
-    height: float | None = None,
-    name: str = "cap",
-    hold: bool = False,
-) -> Model:
-    """Return the model with a closed edge capped: that of one side, ``"a:u1"``, or of several that form a loop.
-
-    A patch goes from each side to one point, in which all have one tangent plane; they meet their sides to ``order``.
-    ``height`` (length¹) is that of the point over the edge's middle, out of the patches; without, one that goes with
-    the way in which they leave off. Raises ModelError for an edge that is not closed.
-    """
-    return capped(model, *sides, order=order, height=height, name=name, hold=hold).model
 
 
 def capped(
@@ -40,7 +24,12 @@ def capped(
     name: str = "cap",
     hold: bool = False,
 ) -> Built:
-    """Do what ``cap`` does, and tell what came of it."""
+    """Return the model with a closed edge capped: that of one side, ``"a:u1"``, or of several that form a loop.
+
+    A patch goes from each side to one point, in which all have one tangent plane; they meet their sides to ``order``.
+    ``height`` (length¹) is that of the point over the edge's middle, out of the patches; without, one that goes with
+    the way in which they leave off. Raises ModelError for an edge that is not closed.
+    """
     k = level(order)
     if height is not None and not abs(height) < float("inf"):
         raise ValueError(f"height: expected a finite number, found {height:g}")
@@ -75,6 +64,9 @@ def capped(
         notes += short([meeting], met, order)
         pairs.append((patch, meeting))
     return finished(model, [patch for patch, _ in pairs], pairs, order, hold=hold, notes=notes)
+
+
+cap = model_of(capped, "cap")
 
 
 def _given(one: Rim, top: FloatArray, normal: FloatArray, kappa: float, drift: float) -> list[FloatArray]:

@@ -12,6 +12,7 @@ from quintrig.builders.rims import Rim, T, common, fitted, rim, tensor, turned, 
 from quintrig.builders.strips import flipped
 from quintrig.geometry.curve import Curve
 from quintrig.model.model import Model
+from quintrig.model.outcome import model_of
 from quintrig.model.patch import Patch
 from quintrig.support.arrays import FloatArray
 from quintrig.support.errors import ModelError
@@ -40,23 +41,6 @@ class _Border:
         return -found[::-1] if self.back else found
 
 
-def fill(
-    boundary: Model | Sequence[Curve],
-    *sides: str,
-    order: str = "G0",
-    name: str = "fill",
-    hold: bool = False,
-) -> Model:
-    """Return the model with the hole between four sides, ``"a:u1"``, ..., filled by a patch that meets them.
-
-    ``order`` is G0 or G1. ``boundary`` may be four curves, or a model of curves with the names of four, in place of a
-    model of patches: the result is then a model of the patch alone, and the order G0. The net is Coons's sum of ruled
-    nets (Coons 1967; Farin 2002, §22); for G1 it moves by the least change. Raises ModelError where the sides do
-    not form a loop.
-    """
-    return filled(boundary, *sides, order=order, name=name, hold=hold).model
-
-
 def filled(
     boundary: Model | Sequence[Curve],
     *sides: str,
@@ -64,7 +48,13 @@ def filled(
     name: str = "fill",
     hold: bool = False,
 ) -> Built:
-    """Do what ``fill`` does, and tell what came of it."""
+    """Return the model with the hole between four sides, ``"a:u1"``, ..., filled by a patch that meets them.
+
+    ``order`` is G0 or G1. ``boundary`` may be four curves, or a model of curves with the names of four, in place of a
+    model of patches: the result is then a model of the patch alone, and the order G0. The net is Coons's sum of ruled
+    nets (Coons 1967; Farin 2002, §22); for G1 it moves by the least change. Raises ModelError where the sides do
+    not form a loop.
+    """
     k = level(order, "G1")
     if not isinstance(boundary, Model) or boundary.curves:
         if k:
@@ -99,6 +89,9 @@ def filled(
             )
             hold = False
     return finished(boundary, [patch], [(patch, one) for one in meetings], order, hold=hold, notes=notes)
+
+
+fill = model_of(filled, "fill")
 
 
 def _of_curves(boundary: Model | Sequence[Curve], names: Sequence[str]) -> list[_Border]:

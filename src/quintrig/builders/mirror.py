@@ -13,6 +13,7 @@ from quintrig.geometry.constructions import reflected
 from quintrig.geometry.surface import Net
 from quintrig.model.held import Held, held
 from quintrig.model.model import Model
+from quintrig.model.outcome import model_of
 from quintrig.model.patch import Patch
 from quintrig.multipatch.attach import movable
 from quintrig.multipatch.boundary import SIDES, Edge, edges
@@ -30,14 +31,9 @@ _POINTS = 16
 Plane = str | Sequence[float]
 
 
-def mirror(
-    model: Model,
-    plane: Plane = "x=0",
-    order: str = "G1",
-    *,
-    near: float = _NEAR,
-    convert: bool = False,
-) -> Model:
+def mirrored(
+    model: Model, plane: Plane = "x=0", order: str = "G1", *, near: float = _NEAR, convert: bool = False
+) -> Built:
     """Return the model with the mirror image of every patch: ``plane`` is ``"x=0"`` or (a, b, c, d), ax+by+cz+d = 0.
 
     Sides that lie on the plane, or off it by less than ``near`` of their patch's size, are laid on it, and their next
@@ -46,13 +42,6 @@ def mirror(
     kind becomes a tensor-product patch. Images are called NAME_mirror. Raises ModelError or ValueError for a wrong
     plane or order, and for patches that have no image of their kind.
     """
-    return mirrored(model, plane, order, near=near, convert=convert).model
-
-
-def mirrored(
-    model: Model, plane: Plane = "x=0", order: str = "G1", *, near: float = _NEAR, convert: bool = False
-) -> Built:
-    """Do what ``mirror`` does, and tell what came of it."""
     model.refuse_curves()
     k = min(level(order, "G2"), 1)
     if not 0.0 <= near <= 0.5:
@@ -81,6 +70,9 @@ def mirrored(
         one for one in seams_of(result, set(called.values())) if frozenset((one.first.patch, one.second.patch)) in pairs
     )
     return Built(result, tuple(called.values()), seams, tuple(notes))
+
+
+mirror = model_of(mirrored, "mirror")
 
 
 def plane_of(plane: Plane) -> FloatArray:

@@ -10,6 +10,7 @@ from quintrig.builders.build import Built, Meeting, finished, level, settled, sh
 from quintrig.builders.hermite import going_on, relaxed, rows_from
 from quintrig.builders.rims import Rim, common, fitted, rim, tensor, turned, unused
 from quintrig.model.model import Model
+from quintrig.model.outcome import model_of
 from quintrig.multipatch.attach import runs_back
 from quintrig.support.arrays import FloatArray
 from quintrig.support.errors import ModelError
@@ -17,25 +18,6 @@ from quintrig.support.errors import ModelError
 _STEEPEST = np.radians(160.0)  # turn of a blend up to which it is as long as the arc
 ACROSS = Trigonometric()
 """The functions across new patches."""
-
-
-def blend(
-    model: Model,
-    first: str,
-    second: str,
-    order: str = "G1",
-    fullness: float = 1.0,
-    *,
-    name: str = "blend",
-    hold: bool = False,
-) -> Model:
-    """Return the model with a strip from one side to another, ``"a:u1"`` to ``"b:u0"``, that meets both to ``order``.
-
-    The strip starts at the first side with u = 0 and ends at the second with u = 1. ``fullness`` > 0 scales the speeds
-    at both ends: 1 is about a circular arc, less is sharper. With ``hold`` it follows both sides from now on. Raises
-    ModelError or ValueError for sides that cannot be blended.
-    """
-    return blended(model, first, second, order, fullness, name=name, hold=hold).model
 
 
 def blended(
@@ -48,13 +30,18 @@ def blended(
     name: str = "blend",
     hold: bool = False,
 ) -> Built:
-    """Do what ``blend`` does, and tell what came of it."""
+    """Return the model with a strip from one side to another, ``"a:u1"`` to ``"b:u0"``, that meets both to ``order``.
+
+    The strip starts at the first side with u = 0 and ends at the second with u = 1. ``fullness`` > 0 scales the speeds
+    at both ends: 1 is about a circular arc, less is sharper. With ``hold`` it follows both sides from now on. Raises
+    ModelError or ValueError for sides that cannot be blended.
+    """
     k = level(order)
     _positive(fullness, "fullness")
     one, two = rim(model, first), rim(model, second)
     if (one.patch.name, one.side) == (two.patch.name, two.side):
         raise ModelError(f"{first}: expected two sides to blend, found one twice")
-    reverse = runs_back(one.edge, two.edge)
+    reverse = runs_back(one.edge, two.edge, (first, second), model.unit)
     far = two.across[:, ::-1] if reverse else two.across
     chord = float(np.linalg.norm(far[0] - one.points, axis=-1).mean())
     if not chord > 1e-9 * max(one.patch.surface.size, two.patch.surface.size):
@@ -80,21 +67,17 @@ def blended(
     return finished(model, [patch], [(patch, m) for m in meetings], order, hold=hold, notes=notes)
 
 
-def extend(
-    model: Model, side: str, length: float, order: str = "G1", *, name: str = "extension", hold: bool = False
-) -> Model:
-    """Return the model with a patch that goes on past a side, ``"a:u1"``, for ``length`` (length¹), to ``order``.
-
-    G0 and G1 go straight on, G2 and G3 keep their bend. The new patch starts at the side with u = 0. With ``hold`` it
-    follows the side from now on. Raises ModelError or ValueError for sides that cannot be extended.
-    """
-    return extended(model, side, length, order, name=name, hold=hold).model
+blend = model_of(blended, "blend")
 
 
 def extended(
     model: Model, side: str, length: float, order: str = "G1", *, name: str = "extension", hold: bool = False
 ) -> Built:
-    """Do what ``extend`` does, and tell what came of it."""
+    """Return the model with a patch that goes on past a side, ``"a:u1"``, for ``length`` (length¹), to ``order``.
+
+    G0 and G1 go straight on, G2 and G3 keep their bend. The new patch starts at the side with u = 0. With ``hold`` it
+    follows the side from now on. Raises ModelError or ValueError for sides that cannot be extended.
+    """
     k = level(order)
     _positive(length, "length")
     one = rim(model, side)
@@ -109,6 +92,9 @@ def extended(
     return finished(
         model, [patch], [(patch, meeting)], order, hold=hold, notes=short([meeting], met, order)
     )  # fmt: skip
+
+
+extend = model_of(extended, "extend")
 
 
 def rows_net(along: Functions, wanted: Sequence[tuple[float, int]], given: Sequence[FloatArray]) -> FloatArray:

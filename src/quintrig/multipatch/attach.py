@@ -7,15 +7,17 @@ import numpy as np
 
 from quintrig.model.held import Held, held
 from quintrig.model.model import Model
+from quintrig.model.outcome import model_of
 from quintrig.model.patch import Patch
 from quintrig.multipatch.beside import broken, ratio_along, seams_beside
 from quintrig.multipatch.boundary import SIDES, Edge, edges
 from quintrig.multipatch.find import joins_of
 from quintrig.multipatch.joins import ORDERS, Join
-from quintrig.multipatch.match import Condition, Match, layers, match, match_all
+from quintrig.multipatch.match import Condition, Match, derivatives_across, layers, match, match_all
 from quintrig.multipatch.nets import Handle, as_tensor, handle, net_of
 from quintrig.multipatch.strips import attach_strip
 from quintrig.support.errors import ModelError, nearest
+from quintrig.support.tolerance import SINGULAR
 
 _LONGEST = 20.0
 """Edges that differ more than this in length are not joined."""
@@ -38,28 +40,6 @@ class Attached:
     notes: tuple[str, ...]
 
 
-def join(
-    model: Model,
-    first: str,
-    second: str,
-    order: str = "G1",
-    ratio: float | None = None,
-    *,
-    both: bool = False,
-    convert: bool = False,
-    hold: bool = False,
-) -> Model:
-    """Return the model with the second side moved, as little as needed, to join the first: ``"a:u1"``, ``"b:u0"``.
-
-    ``order`` is G0, G1, G2 or G3; ``ratio`` > 0 that of the speeds across the seam, second to first, by default that
-    of the seam which this one goes on from at a corner, else the one of least change. Other seams of the second patch
-    are kept where all can be met at once. With ``both`` the first patch moves too; with ``convert`` a patch that cannot
-    stay of its kind becomes a tensor-product patch; with ``hold`` the model keeps the join from now on. Raises
-    ModelError or ValueError for sides that cannot be joined.
-    """
-    return attach(model, first, second, order, ratio, both=both, convert=convert, hold=hold).model
-
-
 def attach(
     model: Model,
     first: str,
@@ -71,14 +51,23 @@ def attach(
     convert: bool = False,
     hold: bool = False,
 ) -> Attached:
-    """Do what ``join`` does, and tell what came of it."""
+    """Return the model with the second side moved, as little as needed, to join the first: ``"a:u1"``, ``"b:u0"``.
+
+    ``order`` is G0, G1, G2 or G3; ``ratio`` > 0 that of the speeds across the seam, second to first, by default that
+    of the seam which this one goes on from at a corner, else the one of least change. Other seams of the second patch
+    are kept where all can be met at once. With ``both`` the first patch moves too; with ``convert`` a patch that cannot
+    stay of its kind becomes a tensor-product patch; with ``hold`` the model keeps the join from now on. Raises
+    ModelError or ValueError for sides that cannot be joined.
+    """
     level = _order(order)
     if ratio is not None and not 0.0 < ratio < float("inf"):
         raise ValueError(f"ratio: expected a finite number greater than 0, found {ratio:g}")
     (one, side1), (two, side2) = side_of(model, first), side_of(model, second)
     if one.name == two.name:
         raise ModelError(f"{first} and {second}: expected sides of two patches; a patch is not joined to itself")
-    reverse = runs_back(edge_of(one, side1), edge_of(two, side2))
+    reverse = runs_back(edge_of(one, side1), edge_of(two, side2), (first, second), model.unit)
+    if level:
+        _refuse_standing(one, side1)
     if two.kind == "developable":
         if both:
             raise ModelError(f"{second}: of two developable strips only the second moves; leave out both")
@@ -97,6 +86,9 @@ def attach(
     seam = _seam(result, (one.name, side1), (two.name, side2))
     worse = tuple(_worse(model, result, set(changed), {(one.name, side1), (two.name, side2)}))
     return Attached(result, seam, ratio_used, moved, exact, (*notes, *worse))
+
+
+join = model_of(attach, "join")
 
 
 def side_of(model: Model, text: str) -> tuple[Patch, str]:
@@ -132,18 +124,28 @@ def edge_of(patch: Patch, side: str) -> Edge:
     raise ModelError(f"{patch.name}:{side}: the side has points that are not finite; check the patch")
 
 
-def runs_back(first: Edge, second: Edge) -> bool:
+def runs_back(first: Edge, second: Edge, sides: tuple[str, str], unit: str = "") -> bool:
     """Return whether the second edge runs the other way; ModelError where their lengths do not go together."""
     ratio = max(first.length, second.length) / min(first.length, second.length)
     if ratio > _LONGEST:
         raise ModelError(
-            f"sides of {first.length:.3g} and {second.length:.3g} in length: expected at most {_LONGEST:g} times; "
-            "split the longer one"
+            f"{sides[0]} and {sides[1]}: lengths of {f'{first.length:.3g} {unit}'.rstrip()} and "
+            f"{f'{second.length:.3g} {unit}'.rstrip()}: expected at most {_LONGEST:g} times; split the longer one"
         )
     at = [0, 16, 48, 64]
     here = first.points[at]
     ahead, back = (np.linalg.norm(here - second.points[::step][at], axis=-1).sum() for step in (1, -1))
     return bool(back < ahead)
+
+
+def _refuse_standing(patch: Patch, side: str) -> None:
+    """Raise ModelError where a patch stands still across a side: no tangent plane goes on from it."""
+    across = derivatives_across(patch.surface, side, np.linspace(0.0, 1.0, 17), 1, outward=True)[1]
+    if not np.abs(across).max() > SINGULAR * patch.surface.size:
+        raise ModelError(
+            f"{patch.name}:{side}: the patch stands still across this side (a shape parameter of -4, or rows that "
+            "coincide), so nothing goes on from it; change it, or take G0"
+        )
 
 
 def _matched(

@@ -50,7 +50,7 @@ def _followed(model: Model, rules: list[Held]) -> Patch:
 
 def _condition(model: Model, rule: Held) -> Condition:
     (lead, side), (own, own_side) = side_of(model, rule.first), side_of(model, rule.second)
-    back = runs_back(edge_of(lead, side), edge_of(own, own_side))
+    back = runs_back(edge_of(lead, side), edge_of(own, own_side), (rule.first, rule.second), model.unit)
     return Condition(lead.surface, side, own_side, _level(rule), back, rule.ratio)
 
 

@@ -1,5 +1,6 @@
 /** A side of a patch, sampled, and how the surface runs across it: the numbers of a seam, as in Python's `multipatch`. */
 
+import { SINGULAR } from "./kernel";
 import { extent, type Surface } from "./surface";
 
 export const SIDES = ["u0", "u1", "v0", "v1"] as const;
@@ -50,6 +51,13 @@ export interface Edge {
   readonly high: Vec3;
 }
 
+const sizes = new WeakMap<Surface, number>();
+/** The diagonal of a surface's bounding box, length¹. */
+export function sizeOf(surface: Surface): number {
+  if (!sizes.has(surface)) sizes.set(surface, extent(surface).size);
+  return sizes.get(surface)!;
+}
+
 const known = new WeakMap<Surface, readonly Edge[]>();
 
 /** The sides of a whole surface that are no poles; none of a trimmed one, whose sides are not its edges. */
@@ -62,7 +70,7 @@ export function edgesOf(surface: Surface): readonly Edge[] {
 function sides(surface: Surface): Edge[] {
   const even = Float64Array.from({ length: STEPS }, (_, i) => i / (STEPS - 1));
   const lines = SIDES.map((side) => place(surface, side, even).map((s) => [s[0], s[1], s[2]] as Vec3));
-  const { size } = extent(surface), lengths = lines.map((line) => line.slice(1).reduce((sum, p, i) => sum + apart(p, line[i]!), 0));
+  const size = sizeOf(surface), lengths = lines.map((line) => line.slice(1).reduce((sum, p, i) => sum + apart(p, line[i]!), 0));
   return SIDES.flatMap((side, k) => {
     const points = lines[k]!, opposite = lines[k ^ 1]!;
     const width = points.reduce((sum, p, i) => sum + apart(p, opposite[i]!), 0) / STEPS || (lengths[k < 2 ? 2 : 0]! + lengths[k < 2 ? 3 : 1]!) / 2;
@@ -91,6 +99,7 @@ export interface Across {
 export function across({ surface, side }: Edge, t: Float64Array, outward: boolean, backwards: boolean): Across[] {
   const acrossU = side[0] === "u", into = side[1] === "0" ? 1 : -1;
   const depth = [0, 1, 2, 3, 4].map((k) => place(surface, side, t, k * STEP));
+  const least = SINGULAR * sizeOf(surface) ** 2; // below it there is no tangent plane
   const ahead = t.map((x) => (x < 0.5 ? 1 : -1));
   const beside = [0, 1, 2, 3, 4].map((k) => place(surface, side, t.map((x, p) => x + k * STEP * ahead[p]!)));
   return depth[0]!.map((s, p) => {
@@ -100,7 +109,7 @@ export function across({ surface, side }: Edge, t: Float64Array, outward: boolea
     // Across the side all second partials are known at depths; along it only the one that is missing then is sought.
     const inner = [3, 4, 5].map((k) => slope(k, depth, into)), along = slope(acrossU ? 5 : 3, beside, ahead[p]!);
     const third = acrossU ? [inner[0]!, inner[1]!, inner[2]!, along] : [along, inner[0]!, inner[1]!, inner[2]!];
-    const raw = cross(su, sv), area = Math.hypot(...raw), n = scaled(raw, 1 / area);
+    const raw = cross(su, sv), area = Math.hypot(...raw), n = scaled(raw, area > least ? 1 / area : NaN);
     const tangent = unit(scaled(acrossU ? sv : su, backwards ? -1 : 1)), left = cross(n, tangent);
     const d = scaled(left, Math.sign(dot(left, acrossU ? su : sv)) * into * (outward ? -1 : 1));
     const e = dot(su, su), f = dot(su, sv), g = dot(sv, sv);

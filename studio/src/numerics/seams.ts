@@ -1,8 +1,8 @@
 /** The seams of a model, measured in the browser: sides that meet, whole or in part, and whole ones that nearly do. */
 
-import { across, apart, cross, dot, edgesOf, place, STEPS, type Edge, type Vec3 } from "./across";
+import { across, apart, cross, dot, edgesOf, place, sizeOf, STEPS, type Edge, type Vec3 } from "./across";
 import { build, type Model } from "./model";
-import { extent, type Surface } from "./surface";
+import type { Surface } from "./surface";
 
 export const ORDERS = ["open", "G0", "G1", "G2", "G3"] as const;
 export type Order = (typeof ORDERS)[number];
@@ -20,15 +20,17 @@ export interface Seam {
   readonly curvature: number;
   readonly rate: number;
   readonly order: Order;
+  /** The largest gap of a closed seam, length¹. */
+  readonly tolerance: number;
   readonly points: readonly Vec3[];
 }
 
 const IN_MM: Record<string, number> = { um: 1e3, mm: 1, cm: 0.1, m: 1e-3, km: 1e-6, in: 1 / 25.4, ft: 1 / 304.8 };
 const NEAR = 0.2, FLAT = 1e-3; // as in Python: a near miss, of length and width; the curvature at a size that is none
 const LITTLE = 0.05; // of a side: less than that in common is a corner
-const GAP = 0.01, ANGLE = 0.1, JUMP = 0.05; // the engineering limits: mm, degrees, and relative
+export const GAP = 0.01, ANGLE = 0.1, JUMP = 0.05; // the engineering limits: mm, degrees, and relative
 
-interface Measured extends Omit<Seam, "first" | "second" | "curvature" | "rate" | "order"> {
+interface Measured extends Omit<Seam, "first" | "second" | "curvature" | "rate" | "order" | "tolerance"> {
   readonly stretches: readonly [Stretch, Stretch];
   readonly curvatures: readonly (readonly [number, number])[];
   readonly rates: readonly (readonly [number, number])[];
@@ -50,22 +52,32 @@ export function seamsOf(surfaces: readonly (Surface | null)[], unit: string): Se
       if (!pair) continue;
       const { curvatures, rates, stretches, ...rest } = pair, curvature = largest(curvatures, floor), rate = largest(rates, floor / least);
       const steps = [rest.gap <= tolerance, rest.angle <= ANGLE, curvature <= JUMP, rate <= JUMP], fails = steps.indexOf(false);
-      found.push({ first: { patch, side: edge.side, ...stretches[0] }, second: { patch: other.patch, side: other.edge.side, ...stretches[1] }, ...rest, curvature, rate, order: ORDERS[fails < 0 ? 4 : fails]! });
+      found.push({ first: { patch, side: edge.side, ...stretches[0] }, second: { patch: other.patch, side: other.edge.side, ...stretches[1] }, ...rest, curvature, rate, tolerance, order: ORDERS[fails < 0 ? 4 : fails]! });
     }
   });
-  // A side that meets another one is no near miss of a third.
-  const key = (end: Seam["first"]) => `${end.patch} ${end.side}`, closed = new Set(found.filter((one) => one.order !== "open").flatMap((one) => [key(one.first), key(one.second)]));
-  return found.filter((one) => one.order !== "open" || !(closed.has(key(one.first)) || closed.has(key(one.second))));
+  // Sides that are taken by nearer ones, both of them and for the most part, are no near misses.
+  const taken = new Map<string, Stretch[]>(), key = (end: End) => `${end.patch} ${end.side}`;
+  const kept = new Set(found.toSorted((a, b) => a.gap - b.gap).filter((one) => {
+    const ends = [one.first, one.second];
+    if (one.order === "open" && ends.every((end) => covered(taken.get(key(end)) ?? [], end) > 0.5)) return false;
+    for (const end of ends) taken.set(key(end), [...(taken.get(key(end)) ?? []), end]);
+    return true;
+  }));
+  return found.filter((one) => kept.has(one));
+}
+
+/** The part of a stretch that others cover. */
+function covered(others: readonly Stretch[], { from, to }: Stretch): number {
+  let at = from, free = 0;
+  for (const one of others.toSorted((a, b) => a.from - b.from)) {
+    free += Math.max(0, Math.min(one.from, to) - at);
+    at = Math.max(at, one.to);
+  }
+  return 1 - (free + Math.max(0, to - at)) / Math.max(to - from, 1e-300);
 }
 
 /** The seams of a model whose patches are built here. */
 export const seams = (model: Model): Seam[] => seamsOf(model.patches.map(build), model.unit);
-
-const sizes = new WeakMap<Surface, number>();
-function sizeOf(surface: Surface): number {
-  if (!sizes.has(surface)) sizes.set(surface, extent(surface).size);
-  return sizes.get(surface)!;
-}
 
 const largest = (pairs: Measured["curvatures"], floor: number): number => Math.max(...pairs.map(([a, b]) => Math.abs(a - b) / Math.max(Math.abs(a) + Math.abs(b), floor)));
 

@@ -5,12 +5,13 @@ import { joined, leftToPython, type Rule } from "../edit/follow";
 import { added, mirrored, removed, withJoins } from "../edit/patches";
 import { isCurve } from "../numerics/curve";
 import type { Model } from "../numerics/model";
-import type { Seam } from "../numerics/seams";
+import { ANGLE, JUMP, type Seam } from "../numerics/seams";
 import { lineColour } from "../view/overlays";
 import { button, choice, toggle } from "./controls";
 import { h } from "./dom";
 import { short } from "./format";
 
+const ROUNDING = 1e-6; // share of a limit up to which a value is shown as 0
 const ALL = 5e-3; // of a side at its ends: less than that missing is not told
 const JOINS = ["G0", "G1", "G2", "G3"];
 
@@ -67,10 +68,13 @@ export class BodyPanel {
       const swatch = h("b", { class: "order" }, seam.order);
       swatch.style.color = lineColour(`seam ${seam.order}`, dark);
       return h("li", {}, swatch, h("span", {}, `${end(seam.first)} – ${end(seam.second)}`),
-        h("small", {}, `gap ${short(seam.gap, 3)}${unit && ` ${unit}`} · angle ${short(seam.angle, 3)}° · jump ${short(seam.curvature, 3)}`));
+        h("small", {}, `gap ${shown(seam.gap, seam.tolerance)}${unit && ` ${unit}`} · angle ${shown(seam.angle, ANGLE)}° · jump ${shown(seam.curvature, JUMP)}`));
     }));
   }
 }
+
+/** A number to three digits, as 0 where it is rounding beside its limit, as `quintrig joins` has it. */
+const shown = (value: number, limit: number): string => short(Math.abs(value) < ROUNDING * limit ? 0 : value, 3);
 
 /** A side was clicked while joining: the first is kept; with the second the two are joined, or released if they were. */
 export function clickSide(store: Store, side: string): void {
