@@ -21,6 +21,11 @@ DOCS = Path(__file__).parent
 ROOT = DOCS.parent
 TAKEN_IN = {"changelog.md": "CHANGELOG.md", "contributing.md": "CONTRIBUTING.md"}
 CODE = re.compile(r"(```.*?```|`[^`\n]*`)", re.DOTALL)
+ASKING = re.compile(
+    r"<script\b[^>]*>(?:(?!</script>).)*https://(?:unpkg|cdnjs)\.(?:(?!</script>).)*</script>", re.DOTALL
+)
+LISTED = re.compile(r"^\* `(\w+)`: .*$", re.MULTILINE)
+EXAMPLES = re.compile(r"^(Examples|First steps)\n((?:  .*\n)+)", re.MULTILINE)
 DISPLAY = re.compile(r"\$\$(.+?)\$\$", re.DOTALL)
 INLINE = re.compile(r"(?<![\\$\w])\$([^\s$](?:[^$\n]*[^\s$])?)\$(?!\w)")
 
@@ -45,7 +50,22 @@ def _commands() -> str:
     """Return the reference of the command line, from the commands themselves."""
     command = typer.main.get_command(build())
     text = get_docs_for_click(obj=command, ctx=typer.Context(command), name="quintrig", title="Commands")
-    return re.sub(r"\[/?(bold|cyan|dim)\]", "", text)  # marks of the terminal
+    text = re.sub(r"\[/?(bold|cyan|dim)\]", "", text)  # marks of the terminal
+    text = re.sub(r"\{([A-Z]+)[.]*\}", r"\1", text)
+    sentences = {name: one.get_short_help_str(limit=1000) for name, one in command.commands.items()}
+    text = LISTED.sub(lambda found: f"* [`{found[1]}`](#quintrig-{found[1]}): {sentences[found[1]]}", text)
+    return EXAMPLES.sub(_examples, text)
+
+
+def _examples(found: re.Match[str]) -> str:
+    """Return commands and what they do, indented below a heading in the terminal, as a list."""
+    items: list[str] = []
+    for line in map(str.strip, found[2].splitlines()):
+        if line.startswith("quintrig"):
+            items.append(f"* `{line}`")
+        else:
+            items[-1] += f": {line}" if items[-1].endswith("`") else f" {line}"
+    return f"**{found[1]}**:\n\n" + "\n".join(items) + "\n"
 
 
 def _parts(script: Path) -> tuple[tuple[str, str], str]:
@@ -71,6 +91,11 @@ def on_page_markdown(markdown: str, **_: object) -> str:
     """Turn LaTeX between dollars into MathML, which browsers draw without a script; code stays as it is."""
     parts = CODE.split(markdown)
     return "".join(part if index % 2 else _formulas(part) for index, part in enumerate(parts))
+
+
+def on_page_content(html: str, **_: object) -> str:
+    """Leave out of notebooks the scripts by which they would ask another server: for widgets, which have no kernel."""
+    return ASKING.sub("", html)
 
 
 def _formulas(text: str) -> str:

@@ -3,20 +3,26 @@
 import inspect
 from collections.abc import Iterator, Mapping
 from dataclasses import fields, is_dataclass
+from importlib import import_module
 from pathlib import Path
 from types import NoneType, UnionType
-from typing import Literal, Union, get_args, get_origin, get_type_hints
+from typing import Any, Literal, Union, get_args, get_origin, get_type_hints
 
 import numpy as np
 
 import quintrig
 from quintrig.quantities.table import QUANTITIES, Quantity
+from quintrig.support.handed import Handed
 
 HERE = Path(__file__).parent
 
 CHAPTERS = {
     "Curves and surfaces": (
         "Curve",
+        "interpolate",
+        "join_curves",
+        "split_curve",
+        "offset_curve",
         "tensor",
         "symmetric",
         "swept",
@@ -62,7 +68,41 @@ CHAPTERS = {
         "cap",
         "grid_of_patches",
     ),
-    "Exchange": ("export", "open_model", "exact_surface", "unroll", "Sheet"),
+    "Lines": (
+        "lines",
+        "curvature_lines",
+        "asymptotic_lines",
+        "parabolic_lines",
+        "ridges",
+        "isophotes",
+        "reflection_lines",
+        "silhouettes",
+        "section",
+        "geodesic",
+        "write_lines",
+        "Lines",
+        "Line",
+        "umbilics",
+        "Umbilics",
+    ),
+    "Proofs": ("prove", "bounds", "Verdict", "Bounds"),
+    "Design": ("design", "Design", "fair", "fair_curve", "Fairing", "strip", "Strip"),
+    "Pictures": ("plot", "Style", "animate", "Animation"),
+    "Exchange": ("save", "export", "open_model", "exact_surface", "unroll", "Sheet"),
+    "From modules of their own": (
+        "basis.registry.bases",
+        "sweep.DesignSpace",
+        "sweep.run",
+        "sweep.load_sweep",
+        "sweep.select",
+        "sweep.Question",
+        "mesh.mesh",
+        "studio.viewer",
+        "studio.code",
+        "studio.policy",
+        "studio.jupyter.show",
+    ),
+    "Other tools": ("from_pyvista", "from_trimesh", "from_compas", "from_build123d"),
 }
 """Public names by chapter; names that are in none come last."""
 
@@ -73,13 +113,17 @@ def reference() -> str:
     rest = tuple(name for name in dir(quintrig) if name not in listed and name != "__version__")
     parts = [
         "# Reference",
-        "Everything below is `from quintrig import ...`. Lengths are in the model's unit; a power of length stands "
-        "with each result. This page is written by `docs/make_reference.py` from the docstrings.",
+        "Everything below is `from quintrig import ...`; a name with a dot is `from quintrig.module import ...`. "
+        "Lengths are in the model's unit; a power of length stands with each result. This page is written by "
+        "`docs/make_reference.py` from the docstrings.",
     ]
     for chapter, names in {**CHAPTERS, "More": rest}.items():
         if names:
             parts.append(f"## {chapter}")
             parts.extend(_entry(name) for name in names)
+        if chapter == "Other tools":
+            parts.append("### `Surface`, `Patch` and `Model`")
+            parts.extend(_methods(Handed))
     parts.append("## Results")
     parts.append("What the functions above return, field by field. Each is a frozen dataclass.")
     parts.extend(_result(result) for result in _results())
@@ -117,39 +161,54 @@ def _turned(q: Quantity) -> str:
     return {"even": "same", "odd": "changes sign", "swap": swapped, "mirror": "mirrored class"}[q.parity]
 
 
-def _entry(name: str) -> str:
-    thing = getattr(quintrig, name)
-    lines = [f"### `{name}`", f"```python\n{_signature(name, thing)}\n```", inspect.getdoc(thing) or ""]
+def _entry(path: str) -> str:
+    name, thing = path.rpartition(".")[2], _thing(path)
+    lines = [f"### `{path}`", f"```python\n{_signature(name, thing)}\n```", inspect.getdoc(thing) or ""]
     returned = _returned(thing) if inspect.isfunction(thing) else None
     if returned is not None and returned.__name__ not in dir(quintrig):
         whole = _kind(get_type_hints(thing)["return"])
         lines.append(f"Returns {whole}, with {', '.join(f'`{field.name}`' for field in fields(returned))}.")
     if inspect.isclass(thing) and not issubclass(thing, Exception):
-        for key, value in vars(thing).items():
-            function = value.fget if isinstance(value, property) else getattr(value, "__func__", value)
-            shown = key == "__call__" or not key.startswith("_")
-            if shown and inspect.isfunction(function) and function.__doc__:
-                head = key if isinstance(value, property) else _signature(key, function)
-                lines.append(f"- **`{head}`**: {' '.join(inspect.getdoc(function).split())}")
+        lines.extend(_methods(thing))
     return "\n\n".join(lines)
+
+
+def _thing(path: str) -> Any:
+    """Return what a name of ``CHAPTERS`` stands for."""
+    module, _, name = f"quintrig.{path}".rpartition(".")
+    return getattr(import_module(module), name)
+
+
+def _methods(thing: type) -> Iterator[str]:
+    for key, value in vars(thing).items():
+        function = value.fget if isinstance(value, property) else getattr(value, "__func__", value)
+        shown = key == "__call__" or not key.startswith("_")
+        if shown and inspect.isfunction(function) and function.__doc__:
+            head = key if isinstance(value, property) else _signature(key, function)
+            yield f"- **`{head}`**: {' '.join(inspect.getdoc(function).split())}"
+
+
+def _hints(one: object) -> dict[str, object]:
+    """Return the types that a function or dataclass names; those imported for checking alone are public names."""
+    return get_type_hints(one, localns={name: getattr(quintrig, name) for name in dir(quintrig)})
 
 
 def _returned(function: object) -> type | None:
     """Return the dataclass that a function returns, alone or in a mapping; None for anything else."""
-    return next(_dataclasses(get_type_hints(function).get("return")), None)
+    return next(_dataclasses(_hints(function).get("return")), None)
 
 
 def _results() -> list[type]:
     """Return the dataclasses that public functions return and those in their fields, in the order met."""
     names = [name for names in CHAPTERS.values() for name in names]
-    functions = [thing for name in names if inspect.isfunction(thing := getattr(quintrig, name))]
+    functions = [thing for name in names if inspect.isfunction(thing := _thing(name))]
     waiting = [found for function in functions if (found := _returned(function)) is not None]
     met: list[type] = []
     while waiting:
         one = waiting.pop(0)
         if one not in met and one.__name__ not in dir(quintrig):
             met.append(one)
-            waiting += [inner for hint in get_type_hints(one).values() for inner in _dataclasses(hint)]
+            waiting += [inner for hint in _hints(one).values() for inner in _dataclasses(hint)]
     return met
 
 
@@ -162,7 +221,7 @@ def _dataclasses(hint: object) -> Iterator[type]:
 
 
 def _result(result: type) -> str:
-    hints = get_type_hints(result)
+    hints = _hints(result)
     lines = [f"- `{field.name}`: {_kind(hints[field.name])}" for field in fields(result)]
     for key, value in vars(result).items():
         if isinstance(value, property) and not key.startswith("_"):

@@ -293,7 +293,9 @@ OFF = {"functions": ["r^2", "2.1*t*r", "t^2"]}
 
 
 def test_what_does_not_sum_to_one_is_refused_unless_wanted():
-    with pytest.raises(ModelError, match=r"'mine' do not sum to 1 \(off by 0.025 at t = 0.5\).*unchecked_basis = true"):
+    with pytest.raises(
+        ModelError, match=r"'mine' do not sum to 1 \(their sum is 1.025 at t = 0.5\).*unchecked_basis = true"
+    ):
         model(bases={"mine": OFF})
     patch = model(bases={"mine": OFF}, unchecked_basis=True).patch()
     assert any("moves with the origin" in line for line in summarise(patch.surface, "").warnings)

@@ -20,6 +20,7 @@ def test_what_is_joined_is_so_when_read_back(suffix, tmp_path):
     written = quintrig.export(before, tmp_path / f"body{suffix}")
     if suffix != ".3dm":
         assert any("4 shared edges, 8 free edges" in note and "sewn within" in note for note in written.notes)
+        assert "read back as one shell" in written.notes
     after = quintrig.open_model(tmp_path / f"body{suffix}")
     assert len(after.patches) == 4
     assert after.joins().counts == before.joins().counts

@@ -100,7 +100,7 @@ def test_several_patches_are_sewn_and_told(lid, suffix, tmp_path):
     if suffix == "3dm":
         assert [face.name for face in contents.faces] == ["left", "right", "far"]
         return
-    assert "sewn within 0.0001: 1 shared edges, 10 free edges" in notes
+    assert "sewn within 0.0001 in: 1 shared edges, 10 free edges" in notes
     assert "normals turned so that the shell has one outside: right" in notes
     if suffix != "brep":
         assert {face.name for face in contents.faces} == {"left", "right", "far"}

@@ -1,11 +1,13 @@
 """Small things for notebooks: copies with other values, integrals and extremes of curves, samples as tables."""
 
+import base64
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 import quintrig
+from quintrig.support import progress
 
 BOOT = quintrig.load(Path(__file__).parents[1] / "examples" / "car_boot.toml")
 POINTS = np.array([[0.0, 0], [1, 4], [3, -3], [5, 4], [7, -3], [8, 1]])
@@ -65,3 +67,31 @@ def test_a_notebook_shows_a_sample_as_a_small_table():
     assert "saddle" in text
     assert "20 x 30 points" in text
     assert quintrig.analyse(BOOT.surface, 0.5, 0.5)._repr_html_().count("<tr>") == 2
+
+
+@pytest.mark.parametrize("what", ["curve", "named curve", "model of curves", "line", "lines"])
+def test_a_notebook_shows_a_picture_of_what_has_no_view(what):
+    curve = quintrig.Curve(np.array([[0.0, 0], [1, 2], [2, 3], [4, 3], [5, 1], [6, 0]]))
+    model = quintrig.Model.of_curves([curve])
+    lines = quintrig.lines(BOOT, "parabolic")
+    values = {"curve": curve, "named curve": model.curves[0], "model of curves": model}
+    shown = ({**values, "line": lines[0], "lines": lines})[what]._repr_mimebundle_()
+    assert base64.b64decode(shown["image/png"]).startswith(b"\x89PNG")
+    assert shown["text/plain"]
+
+
+def test_a_notebook_shows_a_bar_while_work_runs_and_takes_it_away(monkeypatch):
+    shown = []
+    monkeypatch.setattr(progress, "_in_notebook", lambda: True)
+    monkeypatch.setattr(progress, "_QUIET", -1.0)
+    monkeypatch.setattr(progress, "_OFTEN", -1.0)
+    monkeypatch.setattr(progress.Bar, "_show", lambda bar, data: (shown.append(data), setattr(bar, "_handle", 1)))
+    quintrig.prove(BOOT, ["regular", "K > -1"])
+    assert ['value="0" max="2"' in shown[0]["text/html"], shown[1]["text/plain"], shown[-1]["text/html"]] == [
+        True, "1 of 2, 0 s; proving K > -1", ""
+    ]  # fmt: skip
+    # Who asks for progress is told, and sees no bar.
+    shown.clear()
+    told = []
+    quintrig.prove(BOOT, "regular", progress=lambda *step: told.append(step))
+    assert (told, shown) == ([("proving regular", 0, 1)], [])

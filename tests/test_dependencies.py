@@ -12,6 +12,7 @@ from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
 from quintrig.support.extras import EXTRAS as NEEDED
+from quintrig.support.extras import VERSIONS
 
 ROOT = Path(__file__).parents[1]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
@@ -84,6 +85,13 @@ def test_the_extra_that_a_message_names_holds_the_package():
     for package, extra in asked:
         top = package.partition(".")[0]
         assert canonicalize_name(CALLED.get(top, top)) in declared(extra or NEEDED[top][0])
+
+
+def test_the_versions_that_are_refused_are_those_that_are_not_asked_for():
+    assert set(VERSIONS) == set(NEEDED)
+    for package, (lowest, end) in VERSIONS.items():
+        asked = {part.operator: part.version for part in declared("all")[CALLED.get(package, package)].specifier}
+        assert asked == {">=": lowest} | ({"<": end} if end else {}), package
 
 
 def test_all_is_every_extra_but_those_of_developers():

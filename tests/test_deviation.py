@@ -98,6 +98,13 @@ def test_a_moved_scan_is_moved_back():
     found = quintrig.deviation(surface, p @ turn.T + [30.0, -80, 10], align=True)
     assert np.abs(found.distance).max() < 1e-7
     assert found.motion.matrix[:3, :3] == pytest.approx(turn.T, abs=1e-9)
+    outliers = np.random.default_rng(4).uniform(-100, 200, (60, 3))
+    found = quintrig.deviation(surface, np.concatenate([p @ turn.T + [30.0, -80, 10], outliers]), align=True)
+    assert np.abs(found.distance[:4000]).max() < 1e-7  # as if they were not there
+    assert 0.01 < found.motion.left_out <= 60 / 4060
+    for few in (np.ones((1, 3)), np.outer(np.arange(9.0), [1, 2, 3]), np.ones((9, 3))):
+        with pytest.raises(ValueError, match="align: expected at least three points that are not on one line"):
+            quintrig.deviation(surface, few, align=True)
 
 
 def test_trimmed_faces_count_only_inside_their_loops():

@@ -12,8 +12,8 @@ from matplotlib.colors import to_rgb
 import quintrig
 from quintrig.basis.trigonometric import Trigonometric
 from quintrig.figure import (
-    beside,
     camera,
+    compared,
     curve,
     diagram,
     edge,
@@ -342,7 +342,7 @@ def test_points_that_differ_by_rounding_frame_one_point():
 
 def test_points_side_by_side_are_drawn():
     points = [quintrig.tensor(np.full((6, 6, 3), 1.1), shape) for shape in ((1, 1, 1, 1), (1, 0, -2, -3))]
-    picture = to_png_bytes(beside.comparison(points, ["first", "second"]), 40)
+    picture = to_png_bytes(compared.comparison(points, ["first", "second"]), 40)
     assert picture.startswith(b"\x89PNG")
 
 

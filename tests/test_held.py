@@ -136,3 +136,12 @@ def test_the_command_keeps_a_join_on_request(tmp_path):
     assert (rule.first, rule.second, rule.order) == ("a:u1", "b:u0", "G2")
     moved = model.with_patch(model.patch("a").with_parameters({"zeta1": -2.0}))
     assert moved.joins()[0].order == "G2"
+
+
+def test_a_join_that_a_kind_cannot_keep_is_told():
+    lead = {"name": "lead", "kind": "tensor", "points": [[[20 * i, 20 * j, i * j] for j in range(6)] for i in range(6)]}
+    own = {"name": "own", "kind": "swept", "section": [[100 + 20 * i, 0, i * i] for i in range(6)]}
+    own["trajectory"] = [[0, 20 * j, j * (5 - j)] for j in range(6)]
+    table = {"first": "lead:u1", "second": "own:u0", "order": "G1"}
+    (line,) = quintrig.Model.from_dict({"patch": [lead, own], "join": [table]}).joins().warnings
+    assert line.startswith("own:u0 is held to lead:u1 to G1 and reaches G0")

@@ -271,3 +271,48 @@ def test_symmetric_patches_stay_symmetric():
     done = attach(model(tensor("a", net(0, 1)), b), "a:u1", "b:u0", "G1")
     assert done.model.patch("b").kind == "symmetric"
     assert (done.exact, done.join.order) == (True, "G1")
+
+
+def square(order, ratios=(None, None, None, None)):
+    """Four patches around a corner, joined one after the other, and what was said of the last."""
+    rng = np.random.default_rng(5)
+    x, y = np.meshgrid(np.arange(6.0), np.arange(6.0), indexing="ij")
+    patches = []
+    for k, name in enumerate("abcd"):
+        net = np.stack([x + 5.0 * (k % 2), y + 5.0 * (k // 2), 0.3 * rng.standard_normal((6, 6))], axis=-1)
+        patches.append({"name": name, "kind": "tensor", "points": net.tolist(), "shape": [0.5, -1, 0.5, -1]})
+    model, done = quintrig.Model.from_dict({"patch": patches}), None
+    pairs = (("a:u1", "b:u0"), ("a:v1", "c:v0"), ("c:u1", "d:u0"), ("b:v1", "d:v0"))
+    for pair, ratio in zip(pairs, ratios, strict=True):
+        done = attach(model, *pair, order, ratio)
+        model = done.model
+    return done
+
+
+@pytest.mark.parametrize("order", ["G1", "G2", "G3"])
+def test_four_patches_joined_one_by_one_meet_at_their_corner(order):
+    done = square(order)
+    assert not done.notes
+    for seam in done.model.joins(preset="class-a"):
+        assert (seam.order >= order, seam.gap.most < 1e-10, seam.angle.most < 1e-6) == (True, True, True)
+
+
+def test_ratios_that_differ_along_a_line_are_told():
+    assert "c:u1 and d:u0 no longer meet exactly" in " ".join(square("G1", (1.0, 1.0, 1.5, 1.0)).notes)
+
+
+@pytest.mark.parametrize("order", ["G1", "G2", "G3"])
+@pytest.mark.parametrize("sides", [("u1", "u0"), ("v1", "v0")])
+def test_a_swung_patch_stays_swung(order, sides):
+    def bowl(name, **changed):
+        keys = {"profile": [[20, 0], [30, 10], [35, 20], [38, 30], [40, 45], [38, 60]]}
+        keys["trajectory"] = [[1, 0], [1, 0.2], [0.9, 0.4], [0.8, 0.6], [0.6, 0.8], [0.4, 0.9]]
+        return {"name": name, "kind": "swung", "scale": 1.5, "shape": [0.5, -1, 0.5, -1], **keys, **changed}
+
+    key = "profile" if sides[0] == "u1" else "trajectory"
+    after = [[38, 62], [35, 70], [36, 80], [33, 90], [30, 99], [30, 110]]
+    if key == "trajectory":
+        after = [[0.4, 0.9], [0.3, 1], [0.1, 1], [-0.1, 1], [-0.3, 0.9], [-0.5, 0.8]]
+    done = attach(model(bowl("a"), bowl("b", **{key: after})), f"a:{sides[0]}", f"b:{sides[1]}", order)
+    moved = done.model.patch("b")
+    assert (moved.kind, done.exact, done.join.order >= order) == ("swung", True, True)

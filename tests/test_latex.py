@@ -39,14 +39,27 @@ def compiled(tex, folder):
         check=False,
     )
     assert done.returncode == 0, done.stdout[-2000:]
+    return done.stdout
 
 
 @pytest.mark.parametrize("options", [(), ("--siunitx",), ("--digits", "12"), ("--siunitx", "--digits", "3")])
-def test_a_table_of_all_quantities_compiles(options, tmp_path):
+def test_a_table_of_all_quantities_compiles_and_fits_the_page(options, tmp_path):
     keys = ",".join(BY_KEY)
     found = command("table", BOOT, "--grid", "3x3", "-q", keys, "--format", "latex", *options)
     assert found.code == 0, found.err
-    compiled(found.out, tmp_path)
+    assert "Overfull" not in compiled(found.out, tmp_path)
+
+
+def test_a_table_taller_than_a_page_goes_on_over_pages_under_one_number(tmp_path):
+    found = command("table", BOOT, "--grid", "8x8", "-q", "K,H,k1,k2,S,C,hk_type", "--format", "latex")
+    log = compiled(found.out, tmp_path)
+    assert "Overfull" not in log
+    assert "Float too large" not in log
+    assert int(re.search(r"\((\d+) pages", log)[1]) > 1
+    assert found.out.count(r"\caption") == 1
+    parts = found.out.count(r"\begin{longtable}")
+    assert parts > 1
+    assert found.out.count(r"\addtocounter{table}{-1}") == parts - 1
 
 
 @pytest.mark.parametrize("siunitx", [False, True])

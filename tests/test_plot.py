@@ -1,9 +1,11 @@
 """``quintrig.plot`` and the style of pictures: what is asked for is drawn, and PDFs carry fonts that may be printed."""
 
+import re
 from pathlib import Path
 
 import numpy as np
 import pytest
+import typer
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import to_rgb
@@ -12,8 +14,13 @@ from matplotlib.text import Text
 
 import quintrig
 from cli_runner import quintrig as command
+from quintrig.cli.app import build
+from quintrig.figure.camera import TOP
 from quintrig.figure.palette import CLASS_COLOURS
+from quintrig.figure.read_lines import staged
+from quintrig.figure.scene import Scene
 
+COMMANDS = typer.main.get_command(build()).commands
 BOOT = Path(__file__).parents[1] / "examples" / "car_boot.toml"
 PLANE = quintrig.Curve(np.array([[0.0, 0], [1, 2], [2, 3], [4, 3], [5, 1], [6, 0]]))
 SPACE = quintrig.Curve(np.array([[0.0, 0, 0], [1, 2, 1], [2, 3, 0], [4, 3, 2], [5, 1, 1], [6, 0, 0]]))
@@ -173,7 +180,7 @@ def test_the_command_has_the_same_options(tmp_path):
 def test_comparisons_reports_and_reproductions_take_a_style_and_write_files(tmp_path):
     curve = tmp_path / "curve.json"
     quintrig.save(quintrig.Model.of_curves([PLANE]), curve)
-    style = ("--style", "journal")
+    style = ("--style", "journal", "--width", "84mm", "--view", "top", "--net")
     for name, words in (
         ("compared/curvature.pdf", ("compare", curve, tmp_path / "compared", "--figures", "pdf,svg", *style)),
         ("beside/figures/curve.pdf", ("compare", curve, tmp_path / "beside" / "c.html", "--figures", ".PDF", *style)),
@@ -182,10 +189,56 @@ def test_comparisons_reports_and_reproductions_take_a_style_and_write_files(tmp_
     ):
         told = command(*words)
         assert (told.code, (tmp_path / name).exists()) == (0, True), told.err
-        assert b"STIXGeneral" in (tmp_path / name).read_bytes()
+        data = (tmp_path / name).read_bytes()
+        assert b"STIXGeneral" in data
+        assert b"/Type3" not in data
+        width = float(re.search(rb"/MediaBox \[ 0 0 ([0-9.]+)", data)[1])
+        assert width == pytest.approx(84.0 / 25.4 * 72.0, abs=0.5)
     assert not list((tmp_path / "compared").glob("*.png"))
     assert list((tmp_path / "beside" / "tables").glob("*.tex"))
     assert list((tmp_path / "told" / "tables").glob("*.csv"))
+
+
+@pytest.mark.parametrize("name", ["plot", "compare", "report", "reproduce"])
+def test_every_command_that_draws_has_every_option_of_pictures(name):
+    options = {one for parameter in COMMANDS[name].params for one in (*parameter.opts, *parameter.secondary_opts)}
+    texts = ("--style", "--title", "--no-title", "--caption", "--no-caption", "--font", "--font-size")
+    scales = ("--range", "--percentiles", "--colours", "--levels", "-q", "--quantities")
+    assert {*texts, *scales, "--width", "--dpi", "--view", "--net", "--no-net", "--lines", "--at"} <= options
+
+
+def test_a_style_says_from_where_and_what_is_drawn_beside(boot):
+    style = quintrig.Style(view="top", net=True, lines=3, at=((0.25, 0.5), (0.5, 1.0)), width="84 mm")
+    scene = staged(Scene(isolines=7), style, [boot.surface])
+    assert (scene.view, scene.net, scene.isolines) == (TOP, True, 3)
+    assert [(mark.u, mark.v, mark.label) for mark in scene.marks] == [(0.25, 0.5, "P1"), (0.5, 1.0, "P2")]
+    assert staged(Scene(isolines=7), quintrig.Style(), [boot.surface]) == Scene(isolines=7)
+    lined = staged(Scene(isolines=7), quintrig.Style(lines="parabolic"), [boot.surface])
+    assert lined.isolines == 0
+    assert len(lined.traces) == len(quintrig.lines(boot, "parabolic"))
+    # What plot is told itself comes first.
+    assert quintrig.plot(boot, style=style).get_size_inches()[0] == pytest.approx(84.0 / 25.4)
+    assert quintrig.plot(boot, style=style, width=3).get_size_inches()[0] == pytest.approx(3.0)
+    for wrong, said in (({"view": "flat"}, "view: expected"), ({"lines": 101}, "lines: "), ({"dpi": 20}, "dpi: ")):
+        with pytest.raises(ValueError, match=said):
+            quintrig.Style(**wrong)
+
+
+def test_lines_scans_and_named_curves_are_drawn_by_themselves(boot):
+    found = quintrig.lines(boot, "parabolic")
+    assert "parabolic lines, K = 0" in words(quintrig.plot(found))
+    assert quintrig.plot(found[0], view="top").axes
+    with pytest.raises(ValueError, match="expected nothing else for lines"):
+        quintrig.plot(found, "K")
+    u, v = quintrig.grid(12, 12)
+    scan = quintrig.Scan(boot.surface(u, v).reshape(-1, 3), unit="mm", name="hood")
+    drawn = quintrig.plot(scan, ["K", "point_type"], colours="viridis", limits=(-1e-4, 1e-4))
+    assert {"hood", "Gaussian curvature $K$", "Point type"} <= set(words(drawn))
+    assert "hood" not in words(quintrig.plot(scan, style="journal"))
+    curves = quintrig.Model.of_curves([PLANE])
+    assert quintrig.plot(curves.curves[0], "comb").axes
+    with pytest.raises(ValueError, match="'comb' is drawn of curves, and here are surfaces; draw a quantity"):
+        quintrig.plot(boot, "comb")
 
 
 def test_borders_of_classes_are_smooth(boot):

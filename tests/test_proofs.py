@@ -153,6 +153,7 @@ def test_surfaces_with_known_curvature(surface, claim, verdict):
 def test_bounds_enclose_known_extremes():
     torus = quintrig.torus(3.0, 1.0)
     found = quintrig.bounds(torus, "gaussian", 1e-3)
+    assert quintrig.bounds(torus, "K", 1e-3).to_dict() == found.to_dict()
     assert found.complete
     assert found.minimum[0] <= -0.5 <= found.minimum[1]
     assert found.maximum[0] <= 0.25 <= found.maximum[1]

@@ -120,7 +120,7 @@ def called(function, *arguments, **named):
         (
             lambda folder: called(export, TWO, folder / "a.dxf"),
             "export_pattern writes flat patterns",
-            "quintrig flatten writes flat patterns",
+            "quintrig flatten writes flat patterns, quintrig joins writes seams",
         ),
         (
             lambda folder: called(refuse_loss, quintrig.save(TWO, folder / "a.toml"), force=False),

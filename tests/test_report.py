@@ -16,6 +16,7 @@ import numpy as np
 import pytest
 from PIL import Image as Picture
 
+import quintrig
 from quintrig.analysis import summary
 from quintrig.analysis.extremes import find_extremes
 from quintrig.analysis.integrate import INTEGRALS, integrals
@@ -25,6 +26,7 @@ from quintrig.model.starter import starter
 from quintrig.quantities.classify import Thresholds
 from quintrig.quantities.table import QUANTITIES
 from quintrig.report import kinds, pictures, write, write_report
+from quintrig.report.deviation import Beside
 from quintrig.report.facts import gather, standard
 from quintrig.report.findings import findings
 from quintrig.report.mathml import mathml
@@ -328,6 +330,20 @@ def test_several_patches_are_told_one_by_one_and_many_in_brief(undrawn, tmp_path
     assert "told in brief" in squeezed(many.words["all"])
     assert "<b>4" in squeezed(many.words["all"])
     assert "left:v1" in squeezed(few.words["all"])  # the table of seams
+
+
+def test_a_target_is_told_of_beside_the_model(undrawn, tmp_path):
+    plane = [[[20 * i, 20 * j, 0] for j in range(6)] for i in range(6)]
+    keys = {"name": "x", "unit": "mm", "kind": "tensor", "shape": [0, 0, 0, 0], "points": plane}
+    model = Model.from_dict(keys)
+    found = quintrig.deviation(model, [[50, 50, 3], [20, 20, -4], [103, 50, 4]], tolerance=3.5)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(write, "DETAILED", 0)
+        page = Page(
+            write_report(model, tmp_path / "p.html", grid=5, beside=Beside("<i>scan</i>.ply", found)).read_text()
+        )
+    for told in ("Deviation from <i>scan</i>.ply", "33 % of them are within ±3.5 mm", "1 lie beyond the border", "−4"):
+        assert told in squeezed(page.text)
 
 
 def test_a_page_that_cannot_be_written_says_so_and_leaves_nothing(undrawn, tmp_path):

@@ -183,7 +183,7 @@ def test_what_moves_with_the_origin_says_so(context, own):
     no_mistake(page)
     until(page, "document.querySelector('[data-quintrig]').studio.root.querySelector('.warning').textContent !== ''")
     warning = page.locator(".status .warning").inner_text()
-    assert "do not sum to 1 (off by 0.0909" in warning
+    assert "do not sum to 1 (their sum is 1.1 at t = 1" in warning
     assert "the surface moves with the origin" in warning
     is_drawn(page)
 

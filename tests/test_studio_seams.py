@@ -32,6 +32,12 @@ def pair(lift, order=None, *, turned=False):
     return quintrig.Model.from_dict(keys)
 
 
+def flat(name, x, y, wide, high):
+    """A plane patch from (x, y), with its sides v along y."""
+    points = [[[x + wide * i / 5, y + high * j / 5, 0.0] for j in range(6)] for i in range(6)]
+    return {"name": name, "kind": "tensor", "points": points}
+
+
 MODELS = {
     "open": pair(0.3),
     "G0": pair(0.3, "G0"),
@@ -40,6 +46,10 @@ MODELS = {
     "G3": pair(0.3, "G3"),
     "reversed": pair(0.3, "G1", turned=True),
     "torus": quintrig.Model.from_dict({"kind": "torus"}),
+    "T-junction": quintrig.Model.from_dict(
+        {"unit": "mm", "patch": [flat("a", -60, 0, 60, 90), flat("b", 0, 0, 40, 35), flat("c", 0, 90, 40, -55)]}
+    ),
+    "partial": quintrig.Model.from_dict({"unit": "mm", "patch": [flat("a", -60, 0, 60, 90), flat("b", 0, 30, 40, 90)]}),
     "body": quintrig.load(EXAMPLES / "body.toml"),
 }
 
@@ -77,6 +87,13 @@ def test_the_browser_finds_and_orders_the_seams_as_python_does(seams, name):
     for key, join in wanted.items():
         seam = found[key]
         assert (seam["order"], seam["reversed"]) == (join.order, join.reversed)
+        first, second = (
+            (seam["first"], seam["second"])
+            if names[seam["first"]["patch"]] == join.first.patch and seam["first"]["side"] == join.first.side
+            else (seam["second"], seam["first"])
+        )
+        for end, wanted_end in ((first, join.first), (second, join.second)):
+            assert (end["from"], end["to"]) == pytest.approx((wanted_end.start, wanted_end.stop), abs=1e-6)
         # Python samples an edge at more points: largest values between two of the browser's differ a little.
         assert seam["gap"] == pytest.approx(join.gap.most, rel=0.02, abs=1e-9)
         assert seam["angle"] == pytest.approx(join.angle.most, rel=0.02, abs=1e-6)

@@ -253,7 +253,6 @@ def test_nothing_to_draw_is_a_mistake_and_writes_nothing(lids, tmp_path):
         ((CAR, "-o", "OUT", "--vary", "zeta1=0:1", "--sampling", "sobol"), "--samples"),
         ((CAR, "-o", "OUT", "--vary", "zeta1=0:1:3", "--top", "0"), "--top"),
         (("examples/sphere.toml", "-o", "OUT", "--vary", "alpha1=0:1:3"), "a sphere has radius"),
-        (("examples/rear_of_car.toml", "-o", "OUT", "--vary", "alpha1=0:1:3"), "choose one by its name"),
         (("nosuch.toml", "-o", "OUT", "--vary", "alpha1=0:1:3"), "no such file"),
     ],
 )

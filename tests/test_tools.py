@@ -3,8 +3,9 @@
 import importlib.util
 import os
 import sys
+from dataclasses import replace
 from pathlib import Path
-from types import SimpleNamespace
+from types import ModuleType, SimpleNamespace
 
 import numpy as np
 import pytest
@@ -64,8 +65,6 @@ def test_several_patches_make_blocks_by_name_and_a_trimmed_face_hides_its_outsid
     assert isinstance(blocks, pyvista.MultiBlock)
     assert blocks.keys() == ["left", "right"]
     assert blocks["left"].field_data["unit"][0] == "m"
-    from dataclasses import replace
-
     square = np.array([[0.25, 0.25], [0.75, 0.25], [0.75, 0.75], [0.25, 0.75], [0.25, 0.25]])
     face = replace(halves.patches[0].surface, trim=(square,))
     grid = face.to_pyvista(points=(5, 5), quantities="K")
@@ -156,6 +155,8 @@ def test_rhino_gets_the_exact_surface(boot):
         (lambda s: s.to_trimesh(quantities="normal"), r"normal is a vector"),
         (lambda s: s.to_compas(form="brep"), r'form: expected "mesh" or "nurbs"'),
         (lambda s: s.to_compas(form="nurbs", grid=(3, 3)), r"grid: goes with form"),
+        (lambda s: s.to_trimesh(grid=5), r"grid: expected two numbers of points, .* found 5"),
+        (lambda s: s.to_pyvista(quantities=5), r"quantities: expected keys or symbols .* found 5"),
     ],
 )
 def test_what_cannot_be_is_said_in_one_line(call, words):
@@ -167,8 +168,6 @@ def test_what_cannot_be_is_said_in_one_line(call, words):
 
 def test_a_trimmed_face_is_not_handed_over_as_something_else(halves):
     optional("build123d")
-    from dataclasses import replace
-
     square = np.array([[0.25, 0.25], [0.75, 0.25], [0.75, 0.75], [0.25, 0.75], [0.25, 0.25]])
     face = replace(halves.patches[0].surface, trim=(square,))
     with pytest.raises(ValueError, match=r"trimmed face.*surface\.carrier"):
@@ -184,6 +183,79 @@ def test_a_missing_package_is_one_line_with_its_command(monkeypatch, name, extra
     monkeypatch.setitem(sys.modules, f"{name}.datastructures", None)
     with pytest.raises(QuintrigError, match=rf"pip install 'quintrig\[{extra}\]'"):
         getattr(quintrig.sphere(1.0), f"to_{name}")()
+
+
+@pytest.mark.parametrize("name", ["pyvista", "build123d", "trimesh", "compas", "rhino3dm"])
+def test_a_package_that_is_too_old_is_one_line_with_its_command(monkeypatch, name):
+    old = ModuleType(name)
+    old.__version__ = "0.9.1"
+    monkeypatch.setitem(sys.modules, name, old)
+    with pytest.raises(QuintrigError, match=r"or newer, found 0\.9\.1; try: pip install --upgrade 'quintrig\["):
+        getattr(quintrig.sphere(1.0), f"to_{name}")()
+
+
+def test_meshes_of_other_tools_are_targets(boot):
+    pyvista, trimesh = optional("pyvista"), optional("trimesh")
+    optional("compas")
+    meshes = boot.to_trimesh(grid=(9, 9)), boot.to_compas(grid=(9, 9)), boot.to_pyvista(points=(9, 9), quantities="K")
+    for mesh in meshes:
+        found = quintrig.deviation(boot, mesh)
+        assert found.unit == "mm"
+        assert (len(found.points), found.rms < 1e-8) == (81, True)
+    scan = quintrig.from_pyvista(meshes[2])
+    assert len(scan.triangles) == 128
+    np.testing.assert_allclose(scan.parameters[[1, 9, 80]], [[0.125, 0.0], [0.0, 0.125], [1.0, 1.0]])
+    ball = quintrig.fit(pyvista.Sphere(radius=2.0), "sphere")
+    assert ball.to_dict()["form"]["radius"] == pytest.approx(2.0, abs=1e-6)
+    inches = trimesh.creation.box()
+    inches.units = "inches"
+    assert quintrig.from_trimesh(trimesh.Scene([inches, inches])).unit == quintrig.from_trimesh(inches).unit == "in"
+
+
+def test_a_structured_grid_is_a_net_of_nodes_whichever_way_it_lies():
+    pyvista = optional("pyvista")
+    x, y = np.meshgrid(np.linspace(0.0, 1.0, 4), np.linspace(0.0, 2.0, 3), indexing="ij")
+    for at in (np.s_[:, :, None], np.s_[None, :, :], np.s_[:, None, :]):
+        grid = pyvista.StructuredGrid(x[at], y[at], (x * y)[at])
+        scan = quintrig.from_pyvista(grid)
+        np.testing.assert_allclose(scan.parameters * [1.0, 2.0], scan.points[:, :2], atol=1e-7)
+        grid.hide_points([0])
+        assert len(quintrig.from_pyvista(grid).points) == 11
+    square = np.array([[0.25, 0.25], [0.75, 0.25], [0.75, 0.75], [0.25, 0.75], [0.25, 0.25]])
+    face = replace(quintrig.sphere(1.0), trim=(square,)).to_pyvista(points=(5, 5), quantities="K")
+    assert len(quintrig.from_pyvista(face).points) == 9
+
+
+def test_shapes_of_build123d_are_models_with_their_holes():
+    build123d = optional("build123d")
+    part = build123d.Box(10.0, 8.0, 2.0) - build123d.Cylinder(2.0, 2.0)
+    model = quintrig.from_build123d(part)
+    assert (len(model.patches), model.unit) == (7, "mm")
+    top = part.faces().sort_by(build123d.Axis.Z)[-1]
+    assert quintrig.integrals(quintrig.from_build123d(top).surface).area.value == pytest.approx(top.area, rel=1e-6)
+    found = quintrig.deviation(quintrig.from_build123d(top).surface.carrier, top)
+    assert found.rms < 1e-12
+    assert np.hypot(*found.points[:, :2].T).min() > 2.0 - 0.01  # none in the hole
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda pv, tm, cd, b: pv.StructuredGrid(), "from_pyvista: expected points, found an empty StructuredGrid"),
+        (lambda pv, tm, cd, b: pv.MultiBlock(), "from_pyvista: expected points, found an empty MultiBlock"),
+        (lambda pv, tm, cd, b: tm.Trimesh(), "from_trimesh: expected points, found an empty Trimesh"),
+        (lambda pv, tm, cd, b: tm.Scene(), "from_trimesh: expected points, found an empty Scene"),
+        (lambda pv, tm, cd, b: cd.Mesh(), "from_compas: expected points, found an empty Mesh"),
+        (lambda pv, tm, cd, b: cd.Graph(), "from_compas: expected a mesh or a point cloud, found Graph"),
+        (lambda pv, tm, cd, b: b.Edge.make_line((0, 0), (1, 1)), "from_build123d: expected a shape with faces"),
+        (lambda pv, tm, cd, b: b.Part(), "from_build123d: expected a shape with faces"),
+    ],
+)
+def test_an_object_without_points_is_no_target(call, words):
+    tools = [optional(name) for name in ("pyvista", "trimesh", "compas.datastructures", "build123d")]
+    for take in (quintrig.fit, lambda target: quintrig.deviation(quintrig.sphere(1.0), target)):
+        with pytest.raises((ValueError, QuintrigError), match=words):
+            take(call(*tools))
 
 
 def run(script, **modules):

@@ -52,6 +52,20 @@ def test_a_comparison_tells_what_becomes_of_the_seams(chain, tmp_path):
     shown = run("compare", tmp_path / "loose.toml", "--shape", "0.5,0.9,0.3,-1")
     assert shown.code == 0, shown.err
     assert "a carries no other patch along" in shown.out
+    page = run("compare", chain, tmp_path / "all", "--shape", "0.5,0.9,0.3,-1", "-q", "mean")
+    assert page.code == 0, page.err
+    varied = [row["patch"] for row in json.loads((tmp_path / "all" / "intensities.json").read_text())["rows"]]
+    assert varied == [name for name in "abc" for _ in range(2)]
+    assert {"1-a-surface.png", "3-c-mean.png", "seams.csv"} <= {one.name for one in (tmp_path / "all").iterdir()}
+
+
+def test_several_curves_are_compared_each(tmp_path):
+    curves = [quintrig.Curve([[0, 0], [1, k], [2, 1], [3, -k], [4, 0], [5, 1]]) for k in (1, 2)]
+    quintrig.save(quintrig.Model.of_curves(curves), tmp_path / "two.toml")
+    done = run("compare", tmp_path / "two.toml", tmp_path / "two.html", "--shape", "0.5,0.5")
+    assert done.code == 0, done.err
+    page = (tmp_path / "two.html").read_text()
+    assert all(f"<h2>curve {k}</h2>" in page for k in (1, 2))
 
 
 def test_a_sweep_carries_what_follows_along(chain, tmp_path):
@@ -72,3 +86,33 @@ def test_a_sweep_carries_what_follows_along(chain, tmp_path):
     assert np.abs(np.diff(rows[:, at["area"]])) > 1e-3
     done = run("sweep", chain, "--patch", "a", "--vary", "zeta1=-1:1:2", "--points", 8, "-o", tmp_path / "s")
     assert done.code == 0, done.err
+
+
+def test_a_sweep_without_a_patch_varies_all_of_them(chain, tmp_path):
+    pytest.importorskip("polars")
+    from quintrig.sweep import Axis, DesignSpace, Task
+    from quintrig.sweep.part import columns, summaries
+
+    model = quintrig.load(chain)
+    space = DesignSpace((Axis("zeta1", 0.2, 0.2, 1),))
+    (row,) = summaries(Task(model.to_dict(), None, space, 24), 0, 1)
+    after = model.replace(*(one.with_parameters({"zeta1": 0.2}) for one in model.patches))
+    whole = [summarise(one.surface).integrals.area.value for one in after.patches]
+    assert row[columns(space).index("area")] == pytest.approx(sum(whole), rel=1e-5)
+    done = run("sweep", chain, "--vary", "zeta1=0.2", "--points", 8, "--prove", "regular", "-o", tmp_path / "s")
+    assert done.code == 0, done.err
+    wrong = run("sweep", chain, "--vary", "scale=1:2:2", "-o", tmp_path / "t")
+    assert wrong.code == 2
+    assert "the patches have alpha1" in wrong.err
+
+
+def test_a_sweep_of_several_curves_sums_them_up(tmp_path):
+    from quintrig.sweep import Axis, DesignSpace, Task
+    from quintrig.sweep.part import summaries
+
+    curves = [quintrig.Curve([[0, 0], [1, k], [2, 1], [3, -k], [4, 0], [5, 1]]) for k in (1, 2)]
+    model = quintrig.Model.of_curves(curves)
+    (row,) = summaries(Task(model.to_dict(), None, DesignSpace((Axis("alpha", 0.5, 0.5, 1),))), 0, 1)
+    after = [one.with_parameters({"alpha": 0.5}).curve for one in model.curves]
+    assert row[1] == pytest.approx(sum(one.length() for one in after), rel=1e-9)
+    assert row[3] == pytest.approx(max(one.curvature(np.linspace(0, 1, 4001)).max() for one in after), rel=1e-5)

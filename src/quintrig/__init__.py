@@ -36,6 +36,10 @@ if TYPE_CHECKING:
     from quintrig.exchange.imports import open_model as open_model
     from quintrig.exchange.lines import write_lines as write_lines
     from quintrig.exchange.scans import read_scan as read_scan
+    from quintrig.exchange.tools.from_build123d import from_build123d as from_build123d
+    from quintrig.exchange.tools.from_compas import from_compas as from_compas
+    from quintrig.exchange.tools.from_pyvista import from_pyvista as from_pyvista
+    from quintrig.exchange.tools.from_trimesh import from_trimesh as from_trimesh
     from quintrig.figure.animate import Animation as Animation
     from quintrig.figure.animate import animate as animate
     from quintrig.figure.plot import plot as plot
@@ -124,6 +128,10 @@ _HOME = {
     "exchange.export": ("export",),
     "exchange.imports": ("open_model",),
     "exchange.lines": ("write_lines",),
+    "exchange.tools.from_build123d": ("from_build123d",),
+    "exchange.tools.from_compas": ("from_compas",),
+    "exchange.tools.from_pyvista": ("from_pyvista",),
+    "exchange.tools.from_trimesh": ("from_trimesh",),
     "interrogation.find": ("lines",),
     "interrogation.line": ("Line", "Lines"),
     "interrogation.named": (
@@ -191,6 +199,7 @@ late.register("joins", lambda *args, **words: import_module("quintrig.multipatch
 late.register("hold", lambda *model: import_module("quintrig.multipatch.hold").hold(*model))
 for _to in ("to_build123d", "to_compas", "to_pyvista", "to_rhino3dm", "to_trimesh"):
     late.register(_to, partial(_hand, _to))
+late.register("foreign", lambda *given: import_module("quintrig.exchange.tools.foreign").foreign(*given))
 late.register("open_model", lambda *given: import_module("quintrig.exchange.imports").open_model(*given))
 late.register("open_target", lambda *given: import_module("quintrig.exchange.scans").open_target(*given))
 late.register("sampled_target", lambda *given: import_module("quintrig.exchange.scans").sampled(*given))

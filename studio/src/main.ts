@@ -14,6 +14,7 @@ import { fromDict, install } from "./numerics/model";
 export * from "./numerics/index";
 export { fromToml } from "./toml";
 export { converted } from "./edit/convert";
+export { followed, leftToPython } from "./edit/follow";
 
 /** The viewer of a page from disk. */
 export function embed(element: HTMLElement, data: { model: unknown; quantity?: string; place?: string; installed?: Installed }): Studio {

@@ -11,7 +11,7 @@ as in integrals and sweeps (``beside``).
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,15 +19,15 @@ from numpy.typing import NDArray
 from quintrig.analysis.integrate import Integral, area_means, orientation
 from quintrig.analysis.sample import analyse
 from quintrig.analysis.singular_edges import Limit, limits
-from quintrig.enclosures.measures import MEASURES
-from quintrig.enclosures.prove import NoProofError, Prover
-from quintrig.enclosures.search import Bounds
 from quintrig.geometry.domain import face_grid
 from quintrig.geometry.surface import Surface
 from quintrig.geometry.trimmed import along, window
 from quintrig.quantities.table import quantity
-from quintrig.support.arrays import BoolArray, FloatArray
+from quintrig.support.arrays import BoolArray, FloatArray, typical
 from quintrig.support.tolerance import rounding_floor
+
+if TYPE_CHECKING:
+    from quintrig.enclosures.search import Bounds
 
 Status = Literal["attained", "approached", "unbounded", "undefined"]
 """Attained at a point; only approached, or unbounded, beside points where there is no value; no value at all."""
@@ -99,7 +99,7 @@ class Extremes:
     samples: int
     undefined: int
     orientation: str
-    certified: Bounds | None = None
+    certified: "Bounds | None" = None
 
 
 def find_extremes(
@@ -130,7 +130,10 @@ def find_extremes(
     return results
 
 
-def _bounds(surface: Surface, key: str) -> Bounds | None:
+def _bounds(surface: Surface, key: str) -> "Bounds | None":
+    from quintrig.enclosures.measures import MEASURES
+    from quintrig.enclosures.prove import NoProofError, Prover
+
     try:
         return Prover(surface).bounds(key, most=256) if key in MEASURES else None
     except NoProofError:
@@ -146,16 +149,16 @@ def find_ends(surface: Surface, keys: Sequence[str], samples: int = 65) -> dict[
     sample = analyse(surface, u, v, tuple(dict.fromkeys((*keys, "curvedness"))))
     inside, beside = surface.inside(u, v), _beside(surface, sample["curvedness"])
     curved = np.where(inside, sample["curvedness"], np.nan)
-    typical = float(np.median(curved[np.isfinite(curved)])) if np.isfinite(curved).any() else 0.0
+    usual = typical(curved)
     # Where C itself vanishes its own rounding is the measure.
-    curved_at = np.maximum(curved, 1e-5 * typical)
+    curved_at = np.maximum(curved, 1e-5 * usual)
     results: dict[str, tuple[Extreme, Extreme]] = {}
     for key in keys:
         values = np.where(inside, _without_rounding(sample[key], curved, surface.size, key), np.nan)
         defined = np.isfinite(values)
         power = quantity(key).power
         # Curvatures may cancel; the size of their rounding is that of C to the same power.
-        natural = typical ** (-power) if power <= 0 else 0.0
+        natural = usual ** (-power) if power <= 0 else 0.0
         if power < 0 and defined.any() and (np.abs(values) <= _CANCELLED * curved_at**-power)[defined].all():
             minimum = maximum = _zero(surface, _place(surface, np.argwhere(defined)[0], samples))
         else:

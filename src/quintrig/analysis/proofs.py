@@ -1,6 +1,6 @@
 """Claims on models, proved, refuted or left open, and certified bounds of their quantities."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import overload
 
@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from quintrig.analysis.sample import analyse
-from quintrig.enclosures.claims import DIRECTIONS, Claim, read
+from quintrig.enclosures.claims import DIRECTIONS, Claim, key_of, read
 from quintrig.enclosures.measures import MEASURES
 from quintrig.enclosures.prove import MOST, Prover
 from quintrig.enclosures.search import Bounds
@@ -19,12 +19,10 @@ from quintrig.model.patch import Patch
 from quintrig.quantities.table import BY_KEY
 from quintrig.support.arrays import frozen, number, whole
 from quintrig.support.errors import nearest
+from quintrig.support.progress import Progress, watched
 from quintrig.support.tolerance import typical_rounding
 
 Subject = Surface | Patch | Model
-Progress = Callable[[str, int, int], None]
-"""Told what is being done, steps done and steps in all."""
-
 _AGREE = 1e-6
 """Of the curvedness: a witness's value and that of a sample at the same place differ by no more."""
 
@@ -49,6 +47,7 @@ def prove(
     boxes: int = MOST,
     progress: Progress | None = None,
 ) -> tuple[Verdict, ...]: ...
+@watched
 def prove(
     subject: Subject,
     claim: str | Sequence[str],
@@ -100,9 +99,10 @@ def bounds(
     curvature_radius, the smaller radius of curvature, length¹, the least is sought. ``direction`` is that of slope and
     draft, degrees. Raises ValueError as ``prove`` does.
     """
+    key = key_of(given := key)
     if key not in MEASURES:
         raise ValueError(
-            f"key: {key!r} has no certified bounds{nearest(key, MEASURES)}; there are {', '.join(MEASURES)}"
+            f"key: {given!r} has no certified bounds{nearest(key, MEASURES)}; there are {', '.join(MEASURES)}"
         )
     tolerance = number(tolerance, "tolerance")
     if not tolerance > 0.0:

@@ -51,6 +51,8 @@ class Sample(Pickled):
 
     def __getitem__(self, key: str) -> NDArray[Any]:
         """Return the array of a quantity; KeyError where it was not asked for, ValueError where there is none."""
+        if key in self.values:
+            return self.values[key]
         key = quantity(key).key
         if key not in self.values:
             raise KeyError(f"{key!r} was not computed; ask analyse for it (computed are {', '.join(self.values)})")

@@ -17,7 +17,7 @@ from quintrig.quantities.classify import Thresholds
 from quintrig.quantities.table import BY_KEY, quantity
 from quintrig.support.errors import QuintrigError
 from quintrig.support.extras import need
-from quintrig.support.progress import Counted
+from quintrig.support.progress import Counted, watched
 
 _POINTS = 2**18  # points in a block: with all quantities 100 MB, with K and H 4 MB
 _WIDEST = 2**24  # points in one row
@@ -52,6 +52,7 @@ def analyse_blocks(
     return _blocks(surface, nu, nv, keys, thresholds, threads)
 
 
+@watched
 def write_zarr(
     surface: Surface,
     out: Path,
@@ -99,6 +100,7 @@ def write_zarr(
     return _whole_folder(out, fill)
 
 
+@watched
 def write_parquet(
     surface: Surface,
     out: Path,

@@ -71,13 +71,14 @@ def check_values(trees: Sequence[Node], parameters: Sequence[Ranged]) -> None:
 
 
 def sums(trees: Sequence[Node], parameters: Sequence[Ranged]) -> tuple[float, str]:
-    """Return by how much the sum of the functions misses 1 at worst, relative to the largest, and where."""
+    """Return by how much the sum of the functions misses 1 at worst, relative to the largest, and what it is where."""
     samples = corners(parameters)
     values = series(trees, _SAMPLES[None, :], 0, _columns(parameters, samples))[0]
     off = np.abs(values.sum(axis=-1) - 1.0) / np.maximum(1.0, np.abs(values).max(axis=-1))
-    off = np.broadcast_to(off, (len(samples), len(_SAMPLES)))
+    off, found = (np.broadcast_to(one, (len(samples), len(_SAMPLES))) for one in (off, values.sum(axis=-1)))
     row, column = np.unravel_index(int(off.argmax()), off.shape)
-    return float(off[row, column]), _told(parameters, samples[row], float(_SAMPLES[column]))
+    where = _told(parameters, samples[row], float(_SAMPLES[column]))
+    return float(off[row, column]), f"their sum is {found[row, column]:.12g} {where}"
 
 
 def _columns(parameters: Sequence[Ranged], samples: FloatArray) -> dict[str, FloatArray]:

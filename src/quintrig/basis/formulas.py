@@ -3,20 +3,21 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quintrig.basis import formula_exact, formula_rational
 from quintrig.basis.exact_forms import Span
 from quintrig.basis.expression import series, values_of
-from quintrig.basis.formula_checks import check_values, sums
 from quintrig.basis.functions import MOVING, Functions, Still
 from quintrig.basis.grammar import RESERVED, Node, parse
 from quintrig.basis.rational import NotRationalError, TangentMap
-from quintrig.basis.tape import Tape, tape
 from quintrig.support import taylor
 from quintrig.support.arrays import FloatArray, number, parameter
+
+if TYPE_CHECKING:
+    from quintrig.basis.tape import Tape
 
 MOST_FUNCTIONS, MOST_PARAMETERS = 64, 24
 """Most functions and most parameters of a basis."""
@@ -107,6 +108,8 @@ class Basis:
         if twice is not None:
             raise ValueError(f"parameters: {twice!r} is listed twice; give each a name of its own")
         if not self.vouched:
+            from quintrig.basis.formula_checks import check_values
+
             check_values(self.trees, self.parameters)
 
     @property
@@ -133,7 +136,9 @@ class Basis:
 
     @cached_property
     def off_sum(self) -> tuple[float, str]:
-        """By how much the sum misses 1 at worst, in samples of [0, 1] and of the range, and where."""
+        """By how much the sum misses 1 at worst, in samples of [0, 1] and of the range, and what it is where."""
+        from quintrig.basis.formula_checks import sums
+
         return sums(self.trees, self.parameters)
 
     def family(self, values: Sequence[float] = (), unchecked: bool = False) -> "Formulas":
@@ -189,9 +194,8 @@ class Formulas(Functions):
         """That the surface moves with the origin, and that parameters lie outside their range, where it is so."""
         told: list[str] = []
         if not self.partition:
-            off, where = self.basis.off_sum
             told.append(
-                f"The functions of the basis {self.label} do not sum to 1 (off by {off:.3g} {where}): the surface "
+                f"The functions of the basis {self.label} do not sum to 1 ({self.basis.off_sum[1]}): the surface "
                 "moves with the origin, and its shape hangs on where that is."
             )
         wrong = [
@@ -243,11 +247,15 @@ class Formulas(Functions):
         self._tape.fill(t, self.partition, out)
 
     @cached_property
-    def _tape(self) -> Tape:
+    def _tape(self) -> "Tape":
+        from quintrig.basis.tape import tape
+
         return tape(self.basis.trees, self.parameters)
 
     def tangent_map(self) -> TangentMap | None:
         """Return the change of parameter that the rational form needs; NotRationalError where there is none."""
+        from quintrig.basis import formula_rational
+
         try:
             found = formula_rational.tangent_map(self.basis.trees, self.parameters)
             formula_rational.forms(self.basis.trees, self.parameters, found or TangentMap())
@@ -259,13 +267,19 @@ class Formulas(Functions):
 
     def rational_degree(self) -> int:
         """Return the degree of the rational form as the formulas give it; NotRationalError where there is none."""
+        from quintrig.basis import formula_rational
+
         to = self.tangent_map() or TangentMap()
         return max(len(form) - 1 for form in formula_rational.forms(self.basis.trees, self.parameters, to))
 
     def numerators(self, to: TangentMap, degree: int) -> FloatArray:
         """Return the numerators' coefficients (n, size) in ``degree`` over the common weights of ``to``."""
+        from quintrig.basis import formula_rational
+
         return formula_rational.numerators(self.basis.trees, self.parameters, to, degree)
 
     def exact(self) -> tuple[Span, ...]:
         """Return the functions as forms with exact coefficients; NotRationalError where they are none."""
+        from quintrig.basis import formula_exact
+
         return formula_exact.spans(self.basis.trees, self.parameters, self.tangent_map())

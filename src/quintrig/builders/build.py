@@ -77,7 +77,7 @@ def finished(
 
 def seams_of(model: Model, names: set[str]) -> tuple[Join, ...]:
     """Return the seams in which the patches of these names take part."""
-    return tuple(one for one in joins_of(model) if {one.first.patch, one.second.patch} & names)
+    return tuple(joins_of(model, of=names))
 
 
 def short(meetings: Sequence[Meeting], met: Sequence[bool], order: str) -> list[str]:

@@ -1,5 +1,6 @@
 """The command line: ``quintrig COMMAND ...``. Only this package prints or exits."""
 
+import gc
 import os
 import sys
 import warnings
@@ -12,6 +13,7 @@ def main() -> None:
     from quintrig.cli.streams import prepare
 
     prepare()
+    gc.set_threshold(50_000)  # modules and models make many things that stay; looking for cycles is a tenth of a start
     # Matrices are small here, and large work has threads of its own: NumPy's would only wait for each other.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     warnings.showwarning = warn

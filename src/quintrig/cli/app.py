@@ -1,43 +1,49 @@
 """The typer application: one module of this package for each command."""
 
+from collections.abc import Sequence
+from importlib import import_module
 from typing import Annotated
 
 import typer
 
 from quintrig import __version__
-from quintrig.cli import (
-    basis,
-    blend,
-    cap,
-    check,
-    compare,
-    design,
-    deviation,
-    export,
-    extend,
-    fair,
-    fill,
-    fit,
-    flatten,
-    grid,
-    import_,
-    join,
-    joins,
-    lines,
-    mirror,
-    new,
-    patches,
-    plot,
-    prove,
-    report,
-    reproduce,
-    schema,
-    strip,
-    sweep,
-    table,
-    umbilics,
-    view,
+
+COMMANDS = (
+    "new",
+    "check",
+    "table",
+    "grid",
+    "plot",
+    "prove",
+    "report",
+    "compare",
+    "deviation",
+    "fit",
+    "view",
+    "export",
+    "flatten",
+    "import",
+    "join",
+    "joins",
+    "lines",
+    "umbilics",
+    "mirror",
+    "blend",
+    "extend",
+    "fill",
+    "cap",
+    "patches",
+    "fair",
+    "design",
+    "strip",
+    "reproduce",
+    "sweep",
+    "basis",
+    "schema",
 )
+"""Every command, in the order of the help: a module of this package for each, read where it is asked for."""
+
+_MODULES = {"import": "import_"}  # a word of Python
 
 _HELP = """Quintic trigonometric Bézier surfaces: build them, read their curvature, decide.
 
@@ -57,8 +63,8 @@ _EPILOG = "\n".join(
 )
 
 
-def build() -> typer.Typer:
-    """Return the application with every command."""
+def build(words: Sequence[str] = ()) -> typer.Typer:
+    """Return the application with the command that the words of a command line begin with, or else with all."""
     app = typer.Typer(
         name="quintrig",
         rich_markup_mode="rich",
@@ -68,40 +74,9 @@ def build() -> typer.Typer:
         context_settings={"help_option_names": ["-h", "--help"]},
     )
     app.callback(help=_HELP, epilog=_EPILOG)(_options)
-    for module in (
-        new,
-        check,
-        table,
-        grid,
-        plot,
-        prove,
-        report,
-        compare,
-        deviation,
-        fit,
-        view,
-        export,
-        flatten,
-        import_,
-        join,
-        joins,
-        lines,
-        umbilics,
-        mirror,
-        blend,
-        extend,
-        fill,
-        cap,
-        patches,
-        fair,
-        design,
-        strip,
-        reproduce,
-        sweep,
-        basis,
-        schema,
-    ):
-        module.register(app)
+    named = next((word for word in words if not word.startswith("-")), "")
+    for name in (named,) if named in COMMANDS else COMMANDS:
+        import_module(f"quintrig.cli.{_MODULES.get(name, name)}").register(app)
     return app
 
 

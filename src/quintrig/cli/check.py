@@ -9,11 +9,10 @@ import typer
 from quintrig.cli import session
 from quintrig.cli.ending import FOUND, MISTAKE, printable
 from quintrig.cli.options import Whole
+from quintrig.cli.show import line
 from quintrig.support.errors import ModelError
 
 if TYPE_CHECKING:
-    from rich.console import Console
-
     from quintrig.analysis.extremes import Extreme
     from quintrig.analysis.summary import Summary
     from quintrig.model.model import Model
@@ -48,13 +47,12 @@ def check(
     their range, folds, coinciding control points, and seams between patches that are nearly closed. A note is no fault
     of the surface and does not fail --strict.
     """
-    console = session.output()
     warnings = mistakes = 0
     for index, path in enumerate(models):
         if index:
             session.emit("")
         try:
-            warnings += _tell(path, session.load_any(path, whole=whole), console, prove)
+            warnings += _tell(path, session.load_any(path, whole=whole), prove)
         except ModelError as error:
             session.complain(str(error))
             mistakes += 1
@@ -64,57 +62,49 @@ def check(
         raise typer.Exit(FOUND)
 
 
-def _tell(path: Path, model: "Model", console: "Console", prove: bool) -> int:
+def _tell(path: Path, model: "Model", prove: bool) -> int:
     """Print what a model is; return the number of warnings."""
-    from rich.markup import escape
-
-    console.print(
-        f"[bold]{escape(printable(model.name))}[/bold]  [dim]{escape(printable(str(path)))}[/dim]", soft_wrap=True
-    )
-    warnings = sum(_tell_patch(patch, model, console, prove) for patch in model.patches) + _tell_seams(model, console)
+    line((printable(model.name), "bold"), "  ", (printable(str(path)), "dim"))
+    warnings = sum(_tell_patch(patch, model, prove) for patch in model.patches) + _tell_seams(model)
     if model.curves:
         from quintrig.cli.curves import tell_curve
 
-        warnings += sum(tell_curve(curve, model, console) for curve in model.curves)
+        warnings += sum(tell_curve(curve, model) for curve in model.curves)
     return warnings
 
 
-def _tell_seams(model: "Model", console: "Console") -> int:
+def _tell_seams(model: "Model") -> int:
     """Print how many edges of several patches meet, and how smoothly; return the number of seams nearly closed."""
-    from rich.markup import escape
-
     if len(model.patches) < 2:
         return 0
     joins: Joins = model.joins()
     counts = ", ".join(f"{count} {order}" for order, count in joins.counts.items() if count) or "none"
-    console.print(f"  [bold]seams[/bold]     {counts}; free edges: {len(joins.free)}", soft_wrap=True)
+    line("  ", ("seams", "bold"), f"     {counts}; free edges: {len(joins.free)}")
     for warning in joins.warnings:
-        console.print(f"  [yellow]warning   {escape(printable(warning))}[/yellow]", soft_wrap=True)
+        line("  ", (f"warning   {printable(warning)}", "yellow"))
     for join in joins.joins:
         if join.opposed:
             text = f"the normals of {join.first} and {join.second} look to opposite sides; flip one patch"
-            console.print(f"  [dim]note      {escape(printable(text))}[/dim]", soft_wrap=True)
+            line("  ", (f"note      {printable(text)}", "dim"))
     return len(joins.warnings)
 
 
-def _tell_patch(patch: "Patch", model: "Model", console: "Console", prove: bool) -> int:
-    from rich.markup import escape
-
+def _tell_patch(patch: "Patch", model: "Model", prove: bool) -> int:
     from quintrig.analysis.summary import summarise
 
     summary = summarise(patch.surface, model.unit)
     if len(model.patches) + len(model.curves) > 1:
-        console.print(f"  [bold]{escape(patch.name)}[/bold]")
+        line("  ", (patch.name, "bold"))
     for name, value in _facts(patch, model.unit, summary):
-        console.print(f"  [cyan]{name:<10}[/cyan]{escape(value)}", soft_wrap=True)
+        line("  ", (f"{name:<10}", "cyan"), value)
     for name, value in _proofs(patch, model.unit) if prove else ():
-        console.print(f"  [cyan]{name:<10}[/cyan]{escape(value)}", soft_wrap=True)
+        line("  ", (f"{name:<10}", "cyan"), value)
     for warning in summary.warnings:
-        console.print(f"  [yellow]warning   {escape(warning)}[/yellow]", soft_wrap=True)
+        line("  ", (f"warning   {warning}", "yellow"))
     if not summary.warnings:
-        console.print("  [green]no warnings[/green]")
+        line("  ", ("no warnings", "green"))
     for note in summary.notes:
-        console.print(f"  [dim]note      {escape(note)}[/dim]", soft_wrap=True)
+        line("  ", (f"note      {note}", "dim"))
     return len(summary.warnings)
 
 

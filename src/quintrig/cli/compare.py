@@ -1,6 +1,6 @@
 """``quintrig compare``: what shape parameters do to a surface."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -10,21 +10,20 @@ from quintrig.cli import session
 from quintrig.cli.options import WhichPatch
 from quintrig.cli.show import print_table
 from quintrig.cli.style import with_style
-from quintrig.support.errors import QuintrigError
+from quintrig.support.errors import ModelError, QuintrigError
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from quintrig.analysis.table import Table
-    from quintrig.figure import View
     from quintrig.figure.style import Style
     from quintrig.model.model import Model
-    from quintrig.model.patch import NamedCurve
-    from quintrig.report.shape_effect_page import Picture
-    from quintrig.shaping.curve_effect import CurveVariant
+    from quintrig.model.patch import NamedCurve, Patch
+    from quintrig.report.shape_effect_page import Section
     from quintrig.shaping.shape_effect import Variant
 
 _MOST = 12
+_DRAWN = 12  # parts of a model whose pictures a page holds
 
 _EPILOG = session.examples(
     ("quintrig compare lid.toml out/shapes", "as it is and with the thesis's four sets: page, pictures, tables"),
@@ -40,10 +39,11 @@ _EPILOG = session.examples(
 
 @dataclass(frozen=True)
 class _Look:
-    """As which files the pictures are written, and in which style."""
+    """As which files the pictures are written, in which style, of which quantities."""
 
     formats: tuple[str, ...]
     style: "Style"
+    keys: tuple[str | None, ...]
 
 
 def register(app: typer.Typer) -> None:
@@ -68,7 +68,6 @@ def compare(
     quantities: Annotated[
         str, typer.Option("-q", "--quantities", metavar="KEYS", help="What the pictures show.")
     ] = "gaussian,mean",
-    view: Annotated[str, typer.Option(metavar="VIEW", help="iso, side, back, top, or AZIMUTH,ELEVATION.")] = "iso",
     figures: Annotated[
         str | None,
         typer.Option(
@@ -82,141 +81,136 @@ def compare(
 
     Writes a page with pictures on one scale of length and colour and a table of intensities: least, greatest and mean
     K and H, area and energies; of a curve length, extreme curvature and torsion, bending energy; of a model with
-    several patches, of its seams too: what follows the patch by [[join]] tables is carried along. In a folder the
-    pictures and the tables are files too.
+    several patches, of its seams too: what follows the patch by [[join]] tables is carried along. Without --patch each
+    patch, or each curve, is varied in turn. In a folder the pictures and the tables are files too.
     """
-    from quintrig.figure.plot import read_quantities, read_view
+    from quintrig.figure.plot import read_quantities
     from quintrig.figure.save import formats_of
     from quintrig.figure.style import STANDARD
 
     alone = out is not None and out.suffix.lower() == ".html"
     formats = formats_of((("" if alone else "png") if figures is None else figures).split(","))
-    look = _Look(formats, style or STANDARD)
-    keys, seen = read_quantities([word.strip() for word in quantities.split(",")]), read_view(view)
+    keys = read_quantities(session.words(quantities))
+    look = None if out is None else _Look(formats, style or STANDARD, tuple(keys))
     loaded = session.load_any(model)
-    from quintrig.model.patch import NamedCurve
-    from quintrig.shaping.seam_effect import seam_effect
-    from quintrig.shaping.shape_effect import beside_own, intensities, standard_shapes, variant
+    from quintrig.report.shape_effect_page import page
+    from quintrig.shaping.shape_effect import standard_shapes
     from quintrig.support.files import refuse_unwritable, write_whole
 
-    if patch is None and len(loaded.patches) > 1 and out is None:
-        _whole(loaded, shape)
-        return
-    curve = not loaded.patches or patch in [one.name for one in loaded.curves]
-    one = loaded.curve(patch) if curve else loaded.patch(patch)
-    shapes = [session.numbers(text, None, "--shape") for text in shape] if shape else standard_shapes(one)
-    if len(shapes) > _MOST:
-        raise ValueError(f"--shape: expected at most {_MOST} sets, got {len(shapes)}")
-    if out is not None and out.is_file() and out.suffix.lower() != ".html":
+    if out is not None and out.is_file() and not alone:
         raise QuintrigError(
             f"{out}: expected a folder or an .html page to write, found another file; choose another name"
         )
     if out is not None:
-        refuse_unwritable(out if out.suffix.lower() == ".html" else out / "index.html")
-    title = f"{loaded.name}: effect of the shape parameters"
-    if isinstance(one, NamedCurve):
-        _of_curve(beside_own(one, shapes), out, title, loaded.unit, look)
-        return
-    sets = beside_own(one, shapes)
-    with session.progress() as progress:
-        found: list[Variant] = []
-        for index, changed in enumerate(sets):
-            progress(f"shape parameters {index + 1} of {len(sets)}", index, len(sets))
-            found.append(variant(changed, loaded.unit, own=index == 0))
-        table = intensities(found, title)
-        seams = seam_effect(loaded, one.name, sets, [v.label for v in found]) if len(loaded.patches) > 1 else None
-        results = {} if out is None else _results(out, found, table, keys, seen, look, progress, seams)
-    if out is None:
-        print_table(table, session.output())
-        if seams is not None:
-            print_table(seams, session.output())
-        return
-    for path, content in results.items():
-        write_whole(path, content)
-    session.done(next(iter(results)))
-
-
-def _of_curve(curves: "Sequence[NamedCurve]", out: Path | None, title: str, unit: str, look: "_Look") -> None:
-    """Print or write what shape parameters do to a curve."""
-    from quintrig.shaping.curve_effect import curve_measures, curve_variant
-
-    found = [curve_variant(one, own=index == 0) for index, one in enumerate(curves)]
-    table = curve_measures(found, unit, title)
-    if out is None:
-        print_table(table, session.output())
-        return
-    from quintrig.report.shape_effect_page import curve_pictures
-    from quintrig.support.files import write_whole
-
-    drawn = curve_pictures(found, unit, title.partition(": effect")[0], look.formats, look.style)
-    for path, content in _files(out, found, table, drawn).items():
-        write_whole(path, content)
-    session.done(out if out.suffix.lower() == ".html" else out / "index.html")
-
-
-def _whole(model: "Model", shape: list[str] | None) -> None:
-    """Print the intensities of every patch that has shape parameters, and what they do to its seams."""
-    from quintrig.analysis.table import stacked
-    from quintrig.shaping.seam_effect import seam_effect
-    from quintrig.shaping.shape_effect import beside_own, intensities, standard_shapes, variant
-    from quintrig.support.errors import ModelError
-
-    varied = [one for one in model.patches if one.definition.acting]
-    if not varied:
-        raise ModelError(f"model {model.name!r}: no patch has shape parameters to vary")
+        refuse_unwritable(out if alone else out / "index.html")
     given = [session.numbers(text, None, "--shape") for text in shape or []]
-    tables: list[tuple[str, Table]] = []
-    seams: list[tuple[str, Table]] = []
+    if len(given) > _MOST:
+        raise ValueError(f"--shape: expected at most {_MOST} sets, got {len(given)}")
+    parts = _varied(loaded, patch, given)
+    if look is not None and len(parts) > _DRAWN:
+        look = None
+        session.remark(f"no pictures of more than {_DRAWN} parts: name one of the {len(parts)} with --patch for those")
+    sections: list[Section] = []
     with session.progress() as progress:
-        for index, one in enumerate(varied):
-            progress(f"patch {one.name}", index, len(varied))
-            sets = beside_own(one, given or standard_shapes(one))
-            found = [variant(changed, model.unit, own=k == 0) for k, changed in enumerate(sets)]
-            tables.append((one.name, intensities(found)))
-            seams.append((one.name, seam_effect(model, one.name, sets, [v.label for v in found])))
-    print_table(stacked(tables, f"{model.name}: effect of the shape parameters"), session.output())
-    print_table(stacked(seams, f"{model.name}: seams"), session.output())
+        for index, one in enumerate(parts):
+            fit = [numbers for numbers in given if len(parts) == 1 or len(numbers) == len(one.shape)]
+            if len(parts) > 1:
+                progress(one.name, index, len(parts))
+            told = progress if len(parts) == 1 else _quietly
+            sections.append(_section(loaded, one, fit or standard_shapes(one), look, told))
+    title = f"{loaded.name}: effect of the shape parameters"
+    tables = _tables(sections, loaded.name, title)
+    if out is None:
+        for table in tables.values():
+            print_table(table)
+        return
+    for path, content in _files(out, page(sections, title, style or STANDARD), sections, tables).items():
+        write_whole(path, content)
+    session.done(out if alone else out / "index.html")
 
 
-def _results(
-    out: Path,
-    found: "Sequence[Variant]",
-    table: "Table",
-    keys: "Sequence[str | None]",
-    view: "View",
-    look: "_Look",
+def _varied(model: "Model", name: str | None, given: "Sequence[Sequence[float]]") -> "list[Patch | NamedCurve]":
+    """Return the patch or curve of the name, or all that have shape parameters to vary, or any of the sets fit."""
+    curves = not model.patches or name in [one.name for one in model.curves]
+    if name is not None:
+        return [model.curve(name) if curves else model.patch(name)]
+    every: list[Patch | NamedCurve] = [*model.curves] if curves else [*model.patches]
+    if len(every) == 1:
+        return every
+    acting = [one for one in every if one.definition.acting]
+    if not acting:
+        raise ModelError(f"model {model.name!r}: no {'curve' if curves else 'patch'} has shape parameters to vary")
+    fitting = [one for one in acting if not given or len(one.shape) in map(len, given)]
+    if not fitting:
+        counts = " or ".join(str(count) for count in sorted({len(one.shape) for one in acting}))
+        raise ValueError(f"--shape: expected {counts} numbers, got {', '.join(str(len(one)) for one in given)}")
+    return fitting
+
+
+def _quietly(what: str, done: int, total: int) -> None:
+    """Tell nothing of the steps of one part of many."""
+
+
+def _section(
+    model: "Model",
+    part: "Patch | NamedCurve",
+    shapes: "Sequence[Sequence[float]]",
+    look: "_Look | None",
     progress: "Callable[[str, int, int], None]",
-    seams: "Table | None" = None,
-) -> dict[Path, str | bytes]:
-    """Return the files to write, the page first: all is made before anything is written."""
-    from quintrig.report.shape_effect_page import pictures
+) -> "Section":
+    """Return what other sets of shape parameters do to a patch or a curve."""
+    from quintrig.model.patch import NamedCurve
+    from quintrig.report.shape_effect_page import Section, curve_pictures, pictures
+    from quintrig.shaping.curve_effect import curve_measures, curve_variant
+    from quintrig.shaping.seam_effect import seam_effect
+    from quintrig.shaping.shape_effect import beside_own, intensities, variant
 
-    drawn = pictures(found, keys, view, table.title.partition(": effect")[0], progress, look.formats, look.style)
-    return _files(out, found, table, drawn, seams)
+    name, many = part.name, len(model.patches) + len(model.curves) > 1
+    title = f"{model.name}: {name}" if many else model.name
+    if isinstance(part, NamedCurve):
+        bent = [curve_variant(one, own=index == 0) for index, one in enumerate(beside_own(part, shapes))]
+        drawn = curve_pictures(bent, model.unit, title, look.formats, look.style) if look else ()
+        return Section(name, bent, curve_measures(bent, model.unit), None, drawn)
+    sets = beside_own(part, shapes)
+    found: list[Variant] = []
+    for index, changed in enumerate(sets):
+        progress(f"shape parameters {index + 1} of {len(sets)}", index, len(sets))
+        found.append(variant(changed, model.unit, own=index == 0))
+    seams = seam_effect(model, name, sets, [v.label for v in found]) if len(model.patches) > 1 else None
+    drawn = pictures(found, look.keys, title, progress, look.formats, look.style) if look else ()
+    return Section(name, found, intensities(found), seams, drawn)
 
 
-def _files(
-    out: Path,
-    found: "Sequence[Variant] | Sequence[CurveVariant]",
-    table: "Table",
-    drawn: "Sequence[Picture]",
-    seams: "Table | None" = None,
-) -> dict[Path, str | bytes]:
-    """Return the page, and in a folder, or where pictures are asked for as files, those and the table as files too."""
+def _tables(sections: "Sequence[Section]", name: str, title: str) -> "dict[str, Table]":
+    """Return the tables of intensities and of seams by their names: those of several parts as one."""
+    from quintrig.analysis.table import stacked
+
+    found = {"intensities": [(one.name, one.table) for one in sections]}
+    if sections[0].seams is not None:
+        found["seams"] = [(one.name, one.seams) for one in sections if one.seams is not None]
+    if len(sections) > 1:
+        return {key: stacked(some, title if key == "intensities" else f"{name}: {key}") for key, some in found.items()}
+    return {key: some[0][1] if key == "seams" else replace(some[0][1], title=title) for key, some in found.items()}
+
+
+def _files(out: Path, page: str, sections: "Sequence[Section]", tables: "dict[str, Table]") -> dict[Path, str | bytes]:
+    """Return the page, and in a folder, or where pictures are asked for as files, those and the tables as files too."""
     from quintrig.exchange.tables import TABLE_FORMATS, WRITERS
-    from quintrig.report.shape_effect_page import page
 
     alone = out.suffix.lower() == ".html"
-    shown: dict[Path, str | bytes] = {out if alone else out / "index.html": page(found, table, drawn, seams)}
-    if alone and not any(one.files for one in drawn):
-        return shown
+    result: dict[Path, str | bytes] = {out if alone else out / "index.html": page}
+    if alone and not any(picture.files for one in sections for picture in one.pictures):
+        return result
     folder = out.parent / "figures" if alone else out
-    files = {folder / f"{one.name}.{form}": data for one in drawn for form, data in one.files.items()}
+    for number, one in enumerate(sections, 1):
+        start = f"{number}-{_plain(one.name)}-" if len(sections) > 1 else ""
+        for picture in one.pictures:
+            result |= {folder / f"{start}{picture.name}.{form}": data for form, data in picture.files.items()}
     folder = out.parent / "tables" if alone else out
-    tables: dict[Path, str | bytes] = {
-        folder / f"{name}{suffix}": WRITERS[form](one)
-        for name, one in (("intensities", table), ("seams", seams))
-        if one is not None
-        for suffix, form in TABLE_FORMATS.items()
-    }
-    return {**shown, **files, **tables}
+    for name, table in tables.items():
+        result |= {folder / f"{name}{suffix}": WRITERS[form](table) for suffix, form in TABLE_FORMATS.items()}
+    return result
+
+
+def _plain(name: str) -> str:
+    return "".join(letter if letter.isalnum() or letter in "-_" else "_" for letter in name)[:60]

@@ -156,7 +156,8 @@ def _tell(result: "Deviation", told: dict[str, Any]) -> None:
     row("points", f"{len(result):,}")
     if result.motion is not None:
         moved = result.motion
-        row("aligned", f"turned by {moved.angle:.4g}°, points moved by up to {shown(moved.largest)}{unit}")
+        out = f"; {100 * moved.left_out:.2g} % of the points are outliers and did not count" if moved.left_out else ""
+        row("aligned", f"turned by {moved.angle:.4g}°, points moved by up to {shown(moved.largest)}{unit}{out}")
     row("distance", f"{shown(result.min)} to {shown(result.max)}{unit}, {SIGN}")
     row("mean", f"{shown(result.mean)}{unit}")
     row("rms", f"{shown(result.rms)}{unit}")

@@ -20,7 +20,7 @@ _STOPS = tuple(getattr(signal, name) for name in ("SIGTERM", "SIGHUP") if hasatt
 """Signals that stop a run as Ctrl-C does; the exit code is 128 and their number."""
 
 
-def run(build: Callable[[], typer.Typer], arguments: Sequence[str]) -> int:
+def run(build: Callable[[Sequence[str]], typer.Typer], arguments: Sequence[str]) -> int:
     """Run the application and return the exit code; a mistake of the user is told in one line on stderr."""
     with _stoppable() as stopped:
         code = _run(build, arguments)
@@ -51,13 +51,12 @@ def _stoppable() -> Generator[list[int]]:
             signal.signal(number, signal.SIG_DFL)
 
 
-def _run(build: Callable[[], typer.Typer], arguments: Sequence[str]) -> int:
+def _run(build: Callable[[Sequence[str]], typer.Typer], arguments: Sequence[str]) -> int:
     debug = "--debug" in arguments
     _prepare_streams()
     try:
-        result = build()(
-            args=[word for word in arguments if word != "--debug"], prog_name="quintrig", standalone_mode=False
-        )
+        words = [word for word in arguments if word != "--debug"]
+        result = build(words)(args=words, prog_name="quintrig", standalone_mode=False)
         sys.stdout.flush()
     except (KeyboardInterrupt, typer.Abort):
         return say("interrupted", INTERRUPTED)

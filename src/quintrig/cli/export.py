@@ -29,7 +29,8 @@ def export(
         Path,
         typer.Argument(
             metavar="OUT",
-            help="CAD: .step .iges .brep .3dm; mesh: .stl .obj .ply .glb .vtu; net or model: .csv .json .toml.",
+            help="CAD: .step .iges .brep .3dm; mesh: .stl .obj .ply .glb .vtu; net or model: .csv .json .toml; curves: "
+            "CAD, .dxf .svg .csv .json .toml.",
             show_default=False,
         ),
     ],

@@ -20,6 +20,7 @@ _EPILOG = session.examples(
         "quintrig fair lid.toml --energy bending --hold u0:G1 --within 0.5 -o fairer.toml",
         "one side and its tangents held",
     ),
+    ('quintrig fair lid.toml --only "section[2]" -o fairer.toml', "moves one control point alone"),
     ("quintrig fair lid.toml -o fairer.toml --picture both.png", "before and after, side by side"),
 )
 
@@ -53,6 +54,14 @@ def fair(
     within: Annotated[
         float | None, typer.Option(metavar="LENGTH", help="The farthest that a point may move.", show_default=False)
     ] = None,
+    only: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="POINT",
+            help="Only these control points or coordinates move, such as points[2][3] or section[1].z. Several times.",
+            show_default=False,
+        ),
+    ] = None,
     patch: WhichPatch = None,
     picture: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Picture of the patch before and after.", show_default=False)
@@ -81,9 +90,11 @@ def fair(
             raise ValueError(f"{model}: a curve is made fairer by its net, and has no picture here; leave both out")
         from quintrig.shaping.fair_curve import fair_curve
 
-        done = fair_curve(loaded, curve=patch, energy=energy, hold=hold or None, within=within)
+        done = fair_curve(loaded, curve=patch, energy=energy, hold=hold or None, within=within, only=only or ())
     else:
-        done = make_fair(loaded, patch=patch, energy=energy, vary=vary, hold=hold or None, within=within)
+        done = make_fair(
+            loaded, patch=patch, energy=energy, vary=vary, hold=hold or None, within=within, only=only or ()
+        )
     if as_json:
         session.emit(json.dumps(done.to_dict(), ensure_ascii=False))
     else:

@@ -95,6 +95,7 @@ def fit(
     """
     from quintrig.shaping.fit import fit as lay
     from quintrig.support.files import refuse_loss
+    from quintrig.support.progress import patient
 
     for file in picture or []:
         if file.suffix.lower() not in (*PICTURES, ".csv", ".ply", ".json"):
@@ -119,7 +120,9 @@ def fit(
         "mirror": None if mirror is None else session.numbers(mirror, 4, "--mirror"),
     }
     try:
-        result = lay(scan, chosen, name=output.stem if output else target.stem, **asked)
+        with session.progress() as progress:
+            told = patient(progress)
+            result = lay(scan, chosen, name=output.stem if output else target.stem, progress=told, **asked)
     except ValueError as error:
         if str(error).startswith("points:"):
             raise ValueError(f"{target}: {str(error).removeprefix('points: ')}") from None

@@ -67,8 +67,11 @@ def import_(
         _scan(file, output, unit, listing)
         return
     if listing:
+        if is_scan(file):
+            _scan(file, output, unit, listing)
+            return
         if file.suffix.lower() not in CAD_SUFFIXES:
-            raise QuintrigError(f"{file}: expected a CAD file to list ({', '.join(CAD_SUFFIXES)})")
+            raise QuintrigError(f"{file}: expected a CAD file or a scan to list ({', '.join(CAD_SUFFIXES)})")
         found = contents(file)
         unit = f", unit {found.unit}" if found.unit else ""
         session.emit(f"{found.name}: faces {len(found.faces)}, curves {len(found.curves)}{unit}")
@@ -115,7 +118,9 @@ def _scan(file: Path, output: Path | None, unit: str, listing: bool) -> None:
             f"size {scan.size:.6g}"
         )
         return
-    if output is None or output.suffix.lower() != ".csv":
+    if output is None:
+        raise QuintrigError("import: expected where to write, -o POINTS.csv, or --list")
+    if output.suffix.lower() != ".csv":
         raise QuintrigError(f"{file}: a scan is written as .csv points; a fit makes a model of it (quintrig fit)")
     from quintrig.exchange.scans import to_csv
 

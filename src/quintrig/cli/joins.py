@@ -77,7 +77,7 @@ def joins(
 
 def _draw(model: "Model", result: "Joins", output: Path, view: str) -> None:
     from quintrig.figure import save, seam_picture
-    from quintrig.figure.plot import read_view
+    from quintrig.figure.camera import read_view
 
     replaced = output.is_file()
     figure = seam_picture([patch.surface for patch in model.patches], result, title=model.name, view=read_view(view))
@@ -98,7 +98,11 @@ def _tell(result: "Joins", model: Path, as_json: bool, output: Path | None) -> N
         from rich.markup import escape
 
         console = session.output()
-        print_table(result.table(), console)
+        if len(result):
+            print_table(result.table())
+        else:
+            for note in result.table().notes:
+                session.emit(note)
         counts = ", ".join(f"{count} {order}" for order, count in result.counts.items() if count)
         seams = "1 seam" if len(result) == 1 else f"{len(result)} seams"
         session.emit(f"{seams}: {counts}" if counts else "no edges meet")

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from quintrig.figure.style import Style
     from quintrig.model.model import Model
 
-_MOST = 100
+_WIDTH = 8  # inches
 _EPILOG = session.examples(
     ("quintrig plot lid.toml -o lid.png", "the surface, seen obliquely, with its normal"),
     ("quintrig plot lid.toml -o lid.png --net", "with its control net"),
@@ -53,26 +53,18 @@ def plot(
         ),
     ] = "surface",
     view: Annotated[
-        str,
+        str | None,
         typer.Option(
-            metavar="VIEW", help="iso, side, back, top, all (side, back and top), flat, or AZIMUTH,ELEVATION."
+            metavar="VIEW",
+            help="iso, side, back, top, all (side, back and top), flat, or AZIMUTH,ELEVATION.",
+            show_default="iso",
+            rich_help_panel="Pictures",
         ),
-    ] = "iso",
-    net: Annotated[bool, typer.Option("--net/--no-net", help="Draw the control net.")] = False,
-    lines: Annotated[
-        str, typer.Option(metavar="N|KIND", help="Number of parameter lines each way, or a kind of `quintrig lines`.")
-    ] = "7",
-    at: Annotated[
-        list[str] | None, typer.Option(metavar="U,V", help="Mark a point of the surface. Repeatable.")
     ] = None,
     shape: Annotated[
         str | None, typer.Option(metavar="NUMBERS", help="Other shape parameters, such as 1,1,-3,-3.")
     ] = None,
     patch: OnlyPatch = None,
-    width: Annotated[
-        str, typer.Option(metavar="WIDTH", help="Width: inches, or such as 84mm, column or page (84 and 174 mm).")
-    ] = "8",
-    dpi: Annotated[int, typer.Option(min=30, max=600, help="Dots per inch of a .png.")] = 200,
     animate: Annotated[
         str | None,
         typer.Option(metavar="NAME=LOW:HIGH", help="A shape parameter that runs over a range, such as alpha1=-4:1."),
@@ -96,21 +88,22 @@ def plot(
     curves go on end to end. Curves beside surfaces are drawn with them.
     """
     if is_scan(model):
-        draw_scan(model, output, quantities, view, width, dpi, unit, neighbours, degree)
+        if animate is not None or shape is not None or patch is not None or frames is not None:
+            raise ValueError("--animate, --frames, --shape and --patch: belong to models, and this is a scan")
+        draw_scan(model, output, quantities, view, style, unit, neighbours, degree)
         return
     loaded = session.load_any(model, face, whole)
     chosen = _chosen(loaded, patch, shape)
     from quintrig.figure.plot import plot as draw
-    from quintrig.figure.save import kind_of, save
+    from quintrig.figure.save import DPI, kind_of, save
     from quintrig.figure.style import STANDARD
     from quintrig.support.files import refuse_unwritable
 
-    words = [word.strip() for word in quantities.split(",")]
+    words, style = session.words(quantities), style or STANDARD
     if animate is not None:
-        if at:
+        if style.at:
             raise ValueError("--at: marks no point of a moving surface; leave it out, or --animate")
-        look = {"view": view, "net": net, "lines": _lines(lines), "style": style or STANDARD, "width": width}
-        _film(chosen, animate, frames, output, words, look)
+        _film(chosen, animate, frames, output, words, {"view": view, "style": style, "width": style.width or _WIDTH})
         return
     if frames is not None:
         raise ValueError("--frames: are those of an animation; add --animate NAME=LOW:HIGH")
@@ -118,29 +111,9 @@ def plot(
         raise ValueError(f"{output}: expected a file name ending in .png, .svg, .pdf, .eps, or --animate for a film")
     kind_of(output)
     refuse_unwritable(output)
-    pairs = [session.numbers(text, 2, "--at") for text in at or []]
-    figure = draw(
-        chosen,
-        words,
-        view=view,
-        net=net,
-        lines=_lines(lines),
-        at=[(u, v) for u, v in pairs],
-        style=style or STANDARD,
-        width=width,
-    )
+    figure = draw(chosen, words, view=view, style=style, width=style.width or _WIDTH)
     replaced = output.is_file()
-    session.wrote(save(figure, output, dpi), replaced)
-
-
-def _lines(text: str) -> int | str:
-    """Return a number of lines from 0 to 100, or the name of a kind."""
-    if not text.lstrip("-+").isdigit():
-        return text
-    count = int(text)
-    if not 0 <= count <= _MOST:
-        raise ValueError(f"--lines: expected a number from 0 to {_MOST}, or a kind of lines, got {text[:20]}")
-    return count
+    session.wrote(save(figure, output, style.dpi or DPI), replaced)
 
 
 def _film(

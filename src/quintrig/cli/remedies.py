@@ -39,7 +39,7 @@ REMEDIES = {
     "faces": "quintrig import {file} --list shows them",
     "new": "'quintrig new swept' writes one",
     "patch": "(--patch NAME)",
-    "pattern": "quintrig flatten writes flat patterns",
+    "pattern": "quintrig flatten writes flat patterns, quintrig joins writes seams",
     "quantities": "'quintrig table --list' shows all",
     "replace": "choose another name, or --force to replace it",
     "sample": "add --sampling sobol or latin",

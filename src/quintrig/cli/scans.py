@@ -10,6 +10,7 @@ from quintrig.cli import session
 
 if TYPE_CHECKING:
     from quintrig.analysis.table import Table
+    from quintrig.figure.style import Style
     from quintrig.scan.curvature import ScanCurvature
 
 _SHOWN = 25  # points of a table on the screen
@@ -25,6 +26,8 @@ Degree = Annotated[
 
 def is_scan(path: Path) -> bool:
     """Return whether a file is read as a scan, by its ending."""
+    if path.suffix.lower() in (".toml", ".json"):
+        return False
     from quintrig.exchange.scans import SCAN_SUFFIXES
 
     return path.suffix.lower() in SCAN_SUFFIXES
@@ -58,25 +61,25 @@ def draw(
     path: Path,
     output: Path,
     quantities: str,
-    view: str,
-    width: str,
-    dpi: int,
+    view: str | None,
+    style: "Style | None",
     unit: str,
     neighbours: int | None,
     degree: int | None,
 ) -> None:
     """Draw a scan in the colours of quantities."""
-    from quintrig.figure.plot import read_quantities, read_view
-    from quintrig.figure.save import kind_of, save
-    from quintrig.figure.scan import scan_picture
-    from quintrig.figure.style import inches
+    from quintrig.figure.camera import read_view
+    from quintrig.figure.plot import plot, read_quantities
+    from quintrig.figure.save import DPI, kind_of, save
+    from quintrig.figure.style import STANDARD
     from quintrig.support.files import refuse_unwritable
 
     kind_of(output)
     refuse_unwritable(output)
-    keys = [key for key in read_quantities([word.strip() for word in quantities.split(",")]) if key is not None]
-    seen = read_view(view)
+    words, look = session.words(quantities), style or STANDARD
+    read_quantities(words)
+    read_view(view or "iso")
     found = curvature(path, unit, neighbours, degree)
     replaced = output.is_file()
-    figure = scan_picture(found, keys, view=seen, title=found.scan.name, width=inches(width))
-    session.wrote(save(figure, output, dpi), replaced)
+    figure = plot(found, words, view=view, style=look)
+    session.wrote(save(figure, output, look.dpi or DPI), replaced)

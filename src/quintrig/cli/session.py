@@ -175,6 +175,11 @@ def numbers(text: str, count: int | None, name: str) -> tuple[float, ...]:
     return values
 
 
+def words(text: str | None) -> list[str]:
+    """Return the words of a list such as ``K,H``; none of none."""
+    return [] if text is None else [word.strip() for word in text.split(",")]
+
+
 def counts(
     text: str, name: str, most: int = 10**12, remedy: str = "choose a coarser grid", least: int = 2
 ) -> tuple[int, int]:

@@ -1,5 +1,7 @@
-"""Tables on the terminal."""
+"""Lines and tables on the terminal."""
 
+import os
+import sys
 from typing import TYPE_CHECKING
 
 import typer
@@ -9,32 +11,42 @@ from quintrig.cli import session
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from rich.console import Console
-
     from quintrig.analysis.table import Column, Table
 
 
 _LISTED = 2  # rows that are easier to read down the screen than across
 
 
-def print_table(table: "Table", console: "Console") -> None:
+def line(*parts: str | tuple[str, str]) -> None:
+    """Print a line of texts, some with the name of a colour, bold or dim, which a terminal alone shows."""
+    wanted = "NO_COLOR" not in os.environ and os.environ.get("TERM") != "dumb" and sys.stdout.isatty()
+    typer.echo("".join(part if isinstance(part, str) else _styled(*part, wanted) for part in parts))
+
+
+def _styled(text: str, how: str, wanted: bool) -> str:
+    if not wanted:
+        return text
+    return typer.style(text, **{how: True}) if how in ("bold", "dim") else typer.style(text, fg=how)
+
+
+def print_table(table: "Table") -> None:
     """Print a table with its notes: one or two rows as a list down the screen, more as a table across it.
 
     A table too wide for the screen is cut into parts below one another.
     """
+    if 1 <= len(table.columns[0].values) <= _LISTED:
+        for text in listed(table):
+            line(text)
+        return
     from rich.markup import escape
 
-    if 1 <= len(table.columns[0].values) <= _LISTED:
-        for line in listed(table):
-            console.print(line, markup=False, soft_wrap=True)
-        return
-
+    screen = session.output()
     if table.title:
-        console.print(f"[bold]{escape(table.title)}[/bold]")
-    for columns in _fitting(table, console.width):
-        console.print(_drawn(columns, table.lead))
+        screen.print(f"[bold]{escape(table.title)}[/bold]")
+    for columns in _fitting(table, screen.width):
+        screen.print(_drawn(columns, table.lead))
     for note in table.notes:
-        console.print(f"[dim]{escape(note)}[/dim]")
+        screen.print(f"[dim]{escape(note)}[/dim]")
 
 
 def listed(table: "Table") -> "Iterator[str]":

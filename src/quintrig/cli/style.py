@@ -28,13 +28,36 @@ _OPTIONS: dict[str, Any] = {
     ),
     "font": (str | None, None, ("--font",), "FAMILY", "Family of the letters, such as DejaVu Serif."),
     "size": (float | None, None, ("--font-size",), "POINTS", "Size of the numbers in points."),
+    "width": (
+        str | None,
+        None,
+        ("--width",),
+        "WIDTH",
+        "Width: inches, or such as 84mm, column or page (84 and 174 mm).",
+    ),
+    "dpi": (int | None, None, ("--dpi",), "N", "Dots per inch of a .png, 30 to 600."),
+    "view": (str | None, None, ("--view",), "VIEW", "iso, side, back, top, or AZIMUTH,ELEVATION."),
+    "net": (bool | None, None, ("--net/--no-net",), None, "Draw the control net."),
+    "lines": (
+        str | None,
+        None,
+        ("--lines",),
+        "N|KIND",
+        "Number of parameter lines each way, or a kind of `quintrig lines`.",
+    ),
+    "at": (list[str] | None, None, ("--at",), "U,V", "Mark a point of the surface. Repeatable."),
+    "quantities": (str | None, None, ("-q", "--quantities"), "KEYS", "What the pictures show, such as K,H."),
 }
 
 
 def with_style(command: Callable[..., None]) -> Callable[..., None]:
-    """Return a command that takes the options of pictures too, and gets them as one ``style``."""
+    """Return a command that takes the options of pictures too, and gets them as one ``style``.
+
+    Those of its own of the same name stay its own.
+    """
     plain = inspect.signature(command)
     kept = [p for name, p in plain.parameters.items() if name != "style"]
+    taken = {name: option for name, option in _OPTIONS.items() if name not in plain.parameters or name == "style"}
     added = [
         inspect.Parameter(
             name,
@@ -42,12 +65,12 @@ def with_style(command: Callable[..., None]) -> Callable[..., None]:
             default=default,
             annotation=Annotated[kind, typer.Option(*flags, metavar=metavar, help=text, rich_help_panel="Pictures")],
         )
-        for name, (kind, default, flags, metavar, text) in _OPTIONS.items()
+        for name, (kind, default, flags, metavar, text) in taken.items()
     ]
 
     @wraps(command)
     def styled(*arguments: Any, **options: Any) -> None:
-        chosen = {name: options.pop(name) for name in _OPTIONS}
+        chosen = {name: options.pop(name) for name in taken}
         command(*arguments, style=_style(**chosen), **options)
 
     styled.__signature__ = plain.replace(parameters=[*kept, *added])  # pyright: ignore[reportFunctionMemberAccess, reportAttributeAccessIssue]
@@ -55,33 +78,27 @@ def with_style(command: Callable[..., None]) -> Callable[..., None]:
     return styled
 
 
-def _style(
-    style: str,
-    title: bool | None,
-    caption: bool | None,
-    limits: str | None,
-    percentiles: str | None,
-    colours: str | None,
-    levels: str | None,
-    font: str | None,
-    size: float | None,
-) -> "Style":
+def _style(style: str, **given: Any) -> "Style":
+    from quintrig.figure.plot import read_quantities
     from quintrig.figure.style import changed, style_named
 
-    return changed(
-        style_named(style),
-        title=title,
-        caption=caption,
-        limits=limits and session.numbers(limits, 2, "--range"),
-        percentiles=percentiles and session.numbers(percentiles, 2, "--percentiles"),
-        colours=colours,
-        levels=_levels(levels),
-        font=font,
-        size=size,
-    )
+    words = session.words(given.pop("quantities", None))
+    read: dict[str, Callable[[Any], Any]] = {
+        "limits": lambda text: session.numbers(text, 2, "--range"),
+        "percentiles": lambda text: session.numbers(text, 2, "--percentiles"),
+        "levels": _levels,
+        "lines": lines_of,
+        "at": lambda texts: tuple(session.numbers(text, 2, "--at") for text in texts) or None,
+    }
+    chosen = {name: read[name](value) if name in read and value else value for name, value in given.items()}
+    keys = tuple(key or "surface" for key in read_quantities(words)) or None
+    return changed(style_named(style), quantities=keys, **chosen)
 
 
-def _levels(text: str | None) -> int | tuple[float, ...] | None:
-    if text is None:
-        return None
+def lines_of(text: str) -> int | str:
+    """Return a number of lines, or the name of a kind."""
+    return int(text) if text.lstrip("-+").isdecimal() else text
+
+
+def _levels(text: str) -> int | tuple[float, ...]:
     return int(text) if text.strip().isdigit() else session.numbers(text, None, "--levels")

@@ -76,8 +76,9 @@ def sweep(
 
     Each design becomes a row of summaries: extremes and means of K, H and C, area, energies, the share of each HK type,
     the number of singular points. What follows the patch by [[join]] tables is carried along, and summed up with it.
-    Of a curve, length, extreme curvature and torsion, bending energy, inflections. Rows go to Parquet files in a
-    folder; a stopped sweep continues where it was.
+    Without --patch every patch of the model that has a parameter takes its value, and a row is of the whole model.
+    Of curves, length, extreme curvature and torsion, bending energy, inflections. Rows go to Parquet files in a folder;
+    a stopped sweep continues where it was.
     """
     from quintrig.sweep.query import Question
     from quintrig.sweep.store import load_sweep
@@ -140,9 +141,11 @@ def _begun(
         raise ValueError("-o: expected a folder for the results, such as -o out/sweep")
     loaded = session.load_any(model)
     curve = not loaded.patches or patch in [one.name for one in loaded.curves]
-    chosen = loaded.curve(patch) if curve else loaded.patch(patch)
+    parts = loaded.curves if curve else loaded.patches
+    if patch is not None:
+        parts = (loaded.curve(patch) if curve else loaded.patch(patch),)
     space = DesignSpace(tuple(parse_axis(text) for text in vary), sampling, samples, seed)
-    return open_sweep(output, Task(loaded.to_dict(), chosen.name, space, points))
+    return open_sweep(output, Task(loaded.to_dict(), parts[0].name if len(parts) == 1 else None, space, points))
 
 
 def _run(sweep: "Sweep", scheduler: str | None) -> None:
@@ -198,7 +201,7 @@ def _answer(
         from quintrig.figure.save import save
 
         unit = str(found.task.model.get("unit", ""))
-        surface = None if found.task.of_curve else found.task.built().surface
+        surface = None if found.task.of_curve else found.task.family().varied[0].surface
         if matching > _PLOTTED and surface:
             session.remark(f"the picture is of more than {_PLOTTED} designs: their extremes are those at the points")
         rows = select(found, question) if matching > _PLOTTED else select_refined(found, question, _PLOTTED).rows

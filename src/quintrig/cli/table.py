@@ -126,12 +126,12 @@ def _deliver(
     result: "Table", chosen: str, output: Path | None, digits: int, siunitx: bool, *sources: Path | None
 ) -> None:
     """Print a table, or write it in the format chosen."""
+    if chosen == "text":
+        print_table(result)
+        return
     from quintrig.exchange.latex import to_latex
     from quintrig.exchange.tables import WRITERS
 
-    if chosen == "text":
-        print_table(result, session.output())
-        return
     text = to_latex(result, digits=digits, siunitx=siunitx) if chosen == "latex" else WRITERS[chosen](result)
     session.deliver(text, output, *sources)
 

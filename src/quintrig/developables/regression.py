@@ -9,7 +9,7 @@ import numpy as np
 
 from quintrig.basis.bernstein import Bernstein
 from quintrig.geometry.surface import Surface
-from quintrig.support.arrays import BoolArray, FloatArray
+from quintrig.support.arrays import BoolArray, FloatArray, typical
 
 _FINE = 1e-10  # to which ends of intervals are bisected
 _APART = 1e-9  # by which the zeros of S_u x S_v at both boundaries differ where the edge crosses between two samples
@@ -87,7 +87,7 @@ def locate(areas: Areas, u: FloatArray, margin: float = 0.0) -> Regression:
     larger = np.where((squares[0] > squares[1])[:, None], first, second)
     square = np.maximum(*squares)
     # Where both vanish the whole ruling is singular: no edge crosses there.
-    moves = square > 1e-24 * np.nanmedian(square)
+    moves = square > 1e-24 * typical(square)
 
     def crosses(t: FloatArray) -> BoolArray:
         one, other = areas(t)

@@ -114,11 +114,18 @@ def _compared(
     return Claim(text, "", measure, Range(low, high, (open_[0], open_[1])), direction)
 
 
+_SYMBOLS = {"K": "gaussian", "H": "mean", "κ1": "k1", "κ2": "k2", "C": "curvedness", "radius": "curvature_radius"}
+
+
+def key_of(name: str) -> str:
+    """Return the key of ``MEASURES`` that a key, a symbol or words stand for; other names as keys are spelt."""
+    name = name.strip()
+    return _SYMBOLS.get(name, name.lower().replace(" ", "_").replace("draft_angle", "draft"))
+
+
 def _measure(name: str) -> Measure:
     name = name.strip()
-    key = {"K": "gaussian", "H": "mean", "κ1": "k1", "κ2": "k2", "C": "curvedness", "radius": "curvature_radius"}.get(
-        name, name.lower().replace(" ", "_").replace("draft_angle", "draft")
-    )
+    key = key_of(name)
     if key in MEASURES:
         return MEASURES[key]
     known = ", ".join((*MEASURES, *STRUCTURAL))

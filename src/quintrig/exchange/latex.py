@@ -1,14 +1,19 @@
 """Tables as LaTeX that compiles: with booktabs alone, or with siunitx, which aligns numbers at their points."""
 
 import math
+import re
 import unicodedata
 from collections.abc import Iterator
-from itertools import pairwise
 
 from quintrig.analysis.table import Column, Table
 
-_WIDEST = 8
-"""Columns of a table that fit on a page beside each other."""
+_ACROSS = 345.0
+"""Points across a page of an article, which columns side by side fill."""
+
+_DOWN = 36
+"""Rows on a page with caption and notes: more go on over pages, in a longtable."""
+
+_LETTER, _BETWEEN = 5.0, 12.0  # points: of a digit or small letter, and between columns
 
 _LONGEST = 9
 """Letters of a number without a power of ten."""
@@ -18,30 +23,78 @@ def to_latex(table: Table, *, digits: int = 6, siunitx: bool = False) -> str:
     r"""Return a LaTeX ``table`` with booktabs rules, symbols in mathematics and units in the headings.
 
     Numbers have so many significant ``digits``, 1 to 17. The title is the caption; notes stand below. A table too wide
-    for a page is cut into parts below one another, which repeat the columns that name the rows. It needs
-    ``\usepackage{booktabs}``, and with ``siunitx`` that package too. Raises ValueError for other digits.
+    for a page is cut into parts below one another, which repeat the columns that name the rows; one too tall is a
+    ``longtable``, which goes on over pages. It needs ``\usepackage{booktabs}``, and those that its first line names.
+    Raises ValueError for other digits.
     """
     if not 1 <= digits <= 17:
         raise ValueError(f"digits: expected 1 to 17, found {digits}")
-    packages = ("booktabs", "siunitx") if siunitx else ("booktabs",)
-    tabulars = [_tabular(columns, digits, siunitx) for columns in parts(table, _WIDEST)]
+    cut = [_Part(columns, digits, siunitx) for columns in parts(table, digits, siunitx)]
+    tall = sum(len(part.rows) + 2 for part in cut) > _DOWN
+    packages = ["booktabs", *(["siunitx"] if siunitx else []), *(["longtable"] if tall else [])]
     needed = " ".join(rf"\usepackage{{{name}}}" for name in packages)
-    lines = [f"% needs {needed}", r"\begin{table}[htbp]", r"\centering"]
-    if table.title:
-        lines.append(rf"\caption{{{text(table.title)}}}")
-    lines.append("\n\n\\medskip\n".join(tabulars))
-    if table.notes:
-        lines += ["", r"\smallskip", rf"\parbox{{\linewidth}}{{\footnotesize {' '.join(map(text, table.notes))}}}"]
-    return "\n".join([*lines, r"\end{table}"]) + "\n"
+    lines = [f"% needs {needed}"]
+    caption = rf"\caption{{{text(table.title)}}}" if table.title else ""
+    words = " ".join(map(text, table.notes))
+    notes = rf"\parbox{{\linewidth}}{{\footnotesize {words}}}" if words else ""
+    if tall:
+        longs = [part.long(caption if index == 0 else "") for index, part in enumerate(cut)]
+        return "\n".join([*lines, "\n\n".join(longs), *(["", rf"\noindent{notes}"] if notes else [])]) + "\n"
+    lines += [r"\begin{table}[htbp]", r"\centering", *([caption] if caption else [])]
+    lines.append("\n\n\\medskip\n".join(part.tabular for part in cut))
+    return "\n".join([*lines, *(["", r"\smallskip", notes] if notes else []), r"\end{table}"]) + "\n"
 
 
-def parts(table: Table, widest: int) -> Iterator[tuple[Column, ...]]:
-    """Cut the columns into parts of at most ``widest``; every part repeats the columns that name the row."""
+def parts(table: Table, digits: int, siunitx: bool) -> Iterator[tuple[Column, ...]]:
+    """Cut the columns into parts that fit on a page; every part repeats the columns that name the row."""
     names, rest = table.columns[: table.lead], table.columns[table.lead :]
-    count = max(1, math.ceil(len(rest) / max(1, widest - len(names))))
-    cuts = [round(i * len(rest) / count) for i in range(count + 1)]
-    for start, end in pairwise(cuts):
-        yield names + rest[start:end]
+    room = _ACROSS - sum(_width(column, digits, siunitx) for column in names)
+    here: tuple[Column, ...] = ()
+    taken = 0.0
+    for column in rest:
+        width = _width(column, digits, siunitx)
+        if here and taken + width > room:
+            yield names + here
+            here, taken = (), 0.0
+        here, taken = (*here, column), taken + width
+    if here or not rest:
+        yield names + here
+
+
+def _width(column: Column, digits: int, siunitx: bool) -> float:
+    """Return about how many points a column takes."""
+    cells = [column.name] if column.is_text else [f"{column.symbol} ({column.unit})" if column.unit else column.symbol]
+    if siunitx and not column.is_text:
+        whole, fraction, power = _room(column, digits)
+        cells.append("x" * (whole + fraction + 3 + (7 + power if power else 0)))
+    for cell in _cells(column, digits, siunitx):
+        # A power of ten: its sign and the raised exponent take the room of six letters.
+        cells.append(re.sub(r" \\times 10\^\{-?\d+\}|e-?\d+", "x" * 6, cell).strip("${}"))
+    return _BETWEEN + _LETTER * max(map(len, cells))
+
+
+class _Part:
+    """Columns that stand beside each other: their heading, rows and kinds."""
+
+    def __init__(self, columns: tuple[Column, ...], digits: int, siunitx: bool) -> None:
+        cells = [[_heading(column, siunitx), *_cells(column, digits, siunitx)] for column in columns]
+        self.kinds = "".join(
+            "l" if column.is_text else _number_column(column, digits) if siunitx else "r" for column in columns
+        )
+        self.heading, *self.rows = (" & ".join(row) + r" \\" for row in zip(*cells, strict=True))
+
+    @property
+    def tabular(self) -> str:
+        lines = (r"\toprule", self.heading, r"\midrule", *self.rows, r"\bottomrule")
+        return "\n".join((rf"\begin{{tabular}}{{{self.kinds}}}", *lines, r"\end{tabular}"))
+
+    def long(self, caption: str) -> str:
+        """Return a table over pages, its heading on each; without a caption it has no number."""
+        head = (r"\toprule", self.heading, r"\midrule")
+        first = (rf"{caption}\\", *head, r"\endfirsthead") if caption else ()
+        lines = (*first, *head, r"\endhead", r"\bottomrule", r"\endfoot", *self.rows)
+        back = "" if caption else "\n\\addtocounter{table}{-1}"
+        return "\n".join((rf"\begin{{longtable}}{{{self.kinds}}}", *lines, r"\end{longtable}")) + back
 
 
 def text(words: str) -> str:
@@ -126,15 +179,6 @@ def _letter(c: str) -> str:
     return rf"\texttt{{U+{ord(c):04X}}}" if c.isprintable() else ""
 
 
-def _tabular(columns: tuple[Column, ...], digits: int, siunitx: bool) -> str:
-    cells = [[_heading(column, siunitx), *_cells(column, digits, siunitx)] for column in columns]
-    kinds = "".join("l" if column.is_text else _number_column(column, digits) if siunitx else "r" for column in columns)
-    heading, *rows = (" & ".join(row) + r" \\" for row in zip(*cells, strict=True))
-    return "\n".join(
-        (rf"\begin{{tabular}}{{{kinds}}}", r"\toprule", heading, r"\midrule", *rows, r"\bottomrule", r"\end{tabular}")
-    )
-
-
 def _heading(column: Column, siunitx: bool) -> str:
     if column.is_text:
         return text(column.name)
@@ -144,6 +188,12 @@ def _heading(column: Column, siunitx: bool) -> str:
 
 def _number_column(column: Column, digits: int) -> str:
     """Return the kind of a siunitx column that has room for its numbers."""
+    whole, fraction, power = _room(column, digits)
+    return f"S[table-format=-{whole}.{fraction}{f'e-{power}' if power else ''}]"
+
+
+def _room(column: Column, digits: int) -> tuple[int, int, int]:
+    """Return how many digits stand before the point, behind it and in the power of ten, at most."""
     whole, fraction, power = 1, 0, 0
     for value in column.rounded:
         if isinstance(value, float) and math.isfinite(value):
@@ -154,8 +204,7 @@ def _number_column(column: Column, digits: int) -> str:
                 max(fraction, len(right)),
                 max(power, len(exponent.lstrip("+-0"))),
             )
-    room = f"table-format=-{whole}.{fraction}" + (f"e-{power}" if power else "")
-    return f"S[{room}]"
+    return whole, fraction, power
 
 
 def _cells(column: Column, digits: int, siunitx: bool) -> list[str]:

@@ -6,17 +6,17 @@ matplotlib's global settings. Pictures in space are parallel projections with on
 
 from quintrig.figure.along import curvature_plot as curvature_plot
 from quintrig.figure.along import torsion_plot as torsion_plot
-from quintrig.figure.beside import code_map as code_map
-from quintrig.figure.beside import comparison as comparison
-from quintrig.figure.beside import map_comparison as map_comparison
-from quintrig.figure.beside import overlay as overlay
-from quintrig.figure.beside import projections as projections
 from quintrig.figure.camera import BACK as BACK
 from quintrig.figure.camera import ISO as ISO
 from quintrig.figure.camera import SIDE as SIDE
 from quintrig.figure.camera import TOP as TOP
 from quintrig.figure.camera import VIEWS as VIEWS
 from quintrig.figure.camera import View as View
+from quintrig.figure.compared import code_map as code_map
+from quintrig.figure.compared import comparison as comparison
+from quintrig.figure.compared import map_comparison as map_comparison
+from quintrig.figure.compared import overlay as overlay
+from quintrig.figure.compared import projections as projections
 from quintrig.figure.curve import basis_functions as basis_functions
 from quintrig.figure.curve import plane_curves as plane_curves
 from quintrig.figure.diagram import hk_table as hk_table

@@ -65,7 +65,7 @@ def _along(
     width: float,
     style: Style,
 ) -> Figure:
-    width = width / style.factor
+    width = style.across(width)
     labels = labels or automatic_labels(curves)
     t = np.linspace(0.0, 1.0, SAMPLES)
     plane = all(curve.points.shape[1] == 2 for curve in curves)

@@ -13,8 +13,9 @@ import numpy as np
 from PIL import Image
 
 from quintrig.basis.pairs import symbol
+from quintrig.figure.camera import ViewName
 from quintrig.figure.field import common_limits, facet_fields
-from quintrig.figure.plot import CURVE_PICTURES, ViewName, plot, read_quantities
+from quintrig.figure.plot import CURVE_PICTURES, plot, read_quantities
 from quintrig.figure.save import to_png_bytes
 from quintrig.figure.scene import Scene, bounds
 from quintrig.figure.space_curves import curve_traces
@@ -25,7 +26,7 @@ from quintrig.model.patch import NamedCurve, Patch
 from quintrig.support.errors import ArgumentError, QuintrigError, nearest
 from quintrig.support.files import refuse_unwritable, write_whole
 from quintrig.support.processes import pool
-from quintrig.support.progress import Progress
+from quintrig.support.progress import Progress, watched
 from quintrig.sweep.space import Axis, DesignSpace, check
 
 KINDS = ("gif", "mp4")
@@ -34,6 +35,7 @@ KINDS = ("gif", "mp4")
 MOST = 500
 """Frames of an animation."""
 
+_DPI = 100
 _CELLS = 60  # facets a side at which the scale of colour is found
 _PALETTE = 8  # frames that the colours of a GIF are chosen from
 
@@ -60,6 +62,7 @@ class Animation:
         return f"<Animation of {len(self.frames)} frames, {self.values[0]:g} to {self.values[-1]:g}>"
 
 
+@watched
 def animate(
     subject: Model | Patch | Surface,
     parameter: str,
@@ -69,12 +72,12 @@ def animate(
     quantity: str | Sequence[str] = "surface",
     frames: int = 40,
     rate: float = 12.0,
-    view: ViewName = "iso",
-    net: bool = False,
-    lines: int = 7,
+    view: ViewName | None = None,
+    net: bool | None = None,
+    lines: int | str | None = None,
     style: str | Style = "standard",
     width: float | str | None = None,
-    dpi: int = 100,
+    dpi: int | None = None,
     processes: int | None = 1,
     progress: Progress | None = None,
     save: str | Path | None = None,
@@ -83,8 +86,8 @@ def animate(
 
     All frames have one view, one frame around what is drawn and one scale of colour for each ``quantity``; the value
     stands at their head. Every patch or curve of a model that has the ``parameter`` follows it. ``rate`` is in frames a
-    second, ``dpi`` in dots per inch; ``processes`` draw at once. ``save`` writes a .gif, or an .mp4 where ffmpeg is.
-    Raises ValueError for what cannot be drawn, and for values that the parameter does not take.
+    second, ``dpi`` in dots per inch, 100 if not said; ``processes`` draw at once. ``save`` writes a .gif, or an .mp4
+    where ffmpeg is. Raises ValueError for what cannot be drawn, and for values that the parameter does not take.
     """
     if save is not None:
         kind_of(save)
@@ -98,7 +101,9 @@ def animate(
     designs = [_design(model, parameter, float(value)) for value in axis.values]
     names = [quantity] if isinstance(quantity, str) else list(quantity)
     chosen = changed(style_named(style) if isinstance(style, str) else style)
-    shown = _fixed(designs, names, Scene(net=net), chosen, curves=not model.patches)
+    shown = _fixed(
+        designs, names, Scene(net=bool(chosen.net if net is None else net)), chosen, curves=not model.patches
+    )
     # Texts of one length: the picture below them does not move.
     decimals = max(0, 1 - int(np.floor(np.log10((axis.high - axis.low) / (frames - 1)))))
     widest = max(len(f"{value:.{decimals}f}") for value in axis.values)
@@ -108,7 +113,7 @@ def animate(
         texts = [f"{symbol(parameter)} = {value:{widest}.{decimals}f}" for value in axis.values]
         heads = [f"{model.name}: {text}" if chosen.title else text for text in texts]
         waiting = [
-            workers.submit(_frame, design, names, dpi, {**options, "heading": head})
+            workers.submit(_frame, design, names, dpi or chosen.dpi or _DPI, {**options, "heading": head})
             for design, head in zip(designs, heads, strict=True)
         ]
         try:
@@ -162,7 +167,7 @@ def _axis(model: Model, name: str, low: float | None, high: float | None, frames
             raise ArgumentError(f"the range does not rise; {better}", "animate", f"{name}={start:g}:{end:g}")
         axis = Axis(name, start, end, frames)
         for part in having:
-            check(DesignSpace((axis,)), part)
+            check(DesignSpace((axis,)), (part,))
     except ArgumentError as error:
         value = error.telling.value.removesuffix(f":{frames}")
         raise ArgumentError(error.telling.message, "animate", value) from None

@@ -1,10 +1,13 @@
 """The camera: an orthographic (parallel) projection, so lengths and angles in the plane of the picture are true."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from quintrig.support.arrays import BoolArray, FloatArray
+from quintrig.support.errors import ArgumentError
+from quintrig.support.numerals import real
 
 
 @dataclass(frozen=True)
@@ -43,8 +46,35 @@ BACK = View("back view, along −x", 0.0, 0.0)
 TOP = View("top view, along −z", -90.0, 90.0)
 """Looking down along -z: x to the right, y up."""
 
+ViewName = str | tuple[float, float]
+"""A view by its name, or as azimuth and elevation in degrees."""
+
 VIEWS: dict[str, View] = {"iso": ISO, "side": SIDE, "back": BACK, "top": TOP}
 """The standard views by name."""
+
+
+def read_view(view: ViewName | View, others: Sequence[str] = ()) -> View:
+    """Return a view by its name or as azimuth and elevation in degrees, a pair or text; ValueError for others.
+
+    ``others`` are names of more than a view, which are seen obliquely.
+    """
+    if isinstance(view, View):
+        return view
+    if view in others:
+        return ISO
+    if isinstance(view, str) and view in VIEWS:
+        return VIEWS[view]
+    try:
+        azimuth, elevation = map(real, view.split(",")) if isinstance(view, str) else view
+    except (TypeError, ValueError):
+        names = ", ".join([*VIEWS, *others])
+        raise ArgumentError(
+            f"expected {names} or AZIMUTH,ELEVATION in degrees, got {str(view)[:40]!r}", "view"
+        ) from None
+    if not (-360.0 <= azimuth <= 360.0 and -90.0 <= elevation <= 90.0):
+        found = f"{azimuth:g},{elevation:g}"
+        raise ArgumentError(f"expected an azimuth within ±360 and an elevation within ±90 degrees, got {found}", "view")
+    return View(f"view from azimuth {azimuth:g}°, elevation {elevation:g}°", azimuth, elevation)
 
 
 def hidden(points: FloatArray, mesh: list[FloatArray], bias: float) -> BoolArray:

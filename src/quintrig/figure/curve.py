@@ -38,7 +38,7 @@ def basis_functions(
     style: Style = STANDARD,
 ) -> Figure:
     """Return the basis functions f_0, f_1, ... over t, one panel for each basis, as the thesis's figure 2.1."""
-    width = width / style.factor
+    width = style.across(width)
     columns = max(1, min(columns, len(bases)))
     each = (width - 0.2 - 0.12 * (columns - 1)) / columns
     page = sheet(len(bases), (each, 0.68 * each), columns=columns, titles=titles, title=title, style=style)
@@ -85,7 +85,7 @@ def plane_curves(
     ``polygon`` draws each different control polygon with its points P_0, P_1, ..., ``hull`` their convex hull,
     ``comb`` the curvature combs, all to one scale. Raises ValueError for curves in space.
     """
-    width = width / style.factor
+    width = style.across(width)
     labels = labels or automatic_labels(curves)
     if any(curve.points.shape[1] != 2 for curve in curves):
         raise ValueError("plane_curves: expected plane curves (n x 2 points), found one in space; use space_curves")

@@ -133,16 +133,21 @@ def common_limits(fields: Sequence[Field], style: Style = STANDARD) -> Limits | 
     """
     if not fields or fields[0].quantity.kind == "class":
         return None
-    values = np.concatenate([f.values.reshape(-1) for f in fields])
+    return stretched([f.values for f in fields], fields[0].quantity, style, max(f.scale for f in fields))
+
+
+def stretched(arrays: Sequence[FloatArray], q: Quantity, style: Style, scale: float = 0.0) -> Limits:
+    """Return the stretch of values of a real quantity, of natural size ``scale``, as ``common_limits`` does."""
+    values = np.concatenate([array.reshape(-1) for array in arrays])
     finite = values[np.isfinite(values)]
-    if fields[0].quantity.key in style.scales:
-        return style.scales[fields[0].quantity.key]
+    if q.key in style.scales:
+        return style.scales[q.key]
     if style.limits is not None:
         found = between(values, *style.limits)
     elif style.percentiles is not None and finite.size and np.ptp(finite) > 0.0:
         found = between(values, *(float(x) for x in np.percentile(finite, style.percentiles)))
     else:
-        found = limits([f.values for f in fields], fields[0].quantity, max(f.scale for f in fields))
+        found = limits(arrays, q, scale)
     return replace(found, colours=style.colours)
 
 

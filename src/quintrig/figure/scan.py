@@ -8,13 +8,19 @@ from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from quintrig.figure.camera import ISO, View
-from quintrig.figure.palette import class_colours, colour_map, limits, real_colours
+from quintrig.figure.camera import ISO, View, read_view
+from quintrig.figure.field import stretched
+from quintrig.figure.palette import class_colours, colour_map, real_colours
+from quintrig.figure.picture import Picture
+from quintrig.figure.style import STANDARD, Style
+from quintrig.figure.wording import quantity_label
 from quintrig.quantities.table import Quantity, quantity
 from quintrig.scan.curvature import ScanCurvature
 from quintrig.scan.scan import Scan
 from quintrig.support.arrays import FloatArray
 
+_ROOM = 0.85  # of the axes: numbers and names stand outside
+_END_ON = 0.98  # cosine: an axis seen so has no room for numbers
 _MOST = 60_000  # points or triangles drawn
 
 
@@ -25,34 +31,43 @@ def scan_picture(
     view: View = ISO,
     title: str = "",
     width: float = 6.4,
+    style: Style = STANDARD,
 ) -> Figure:
-    """Return a scan in the colours of quantities side by side, or in one colour without any."""
+    """Return a scan in the colours of quantities side by side, or in one colour without any.
+
+    Of a style it takes what is no matter of surfaces: not the note, levels, net, lines and marks.
+    """
+    width, view = style.across(width), view if style.view is None else read_view(style.view)
     scan = subject.scan if isinstance(subject, ScanCurvature) else subject
     count = max(len(keys), 1)
-    figure = Figure(figsize=(width, (0.78 if count == 1 else 0.42) * width), layout="constrained")
+    figure = Picture(figsize=(width, (0.78 if count == 1 else 0.42) * width), layout="constrained")
     for index, key in enumerate(keys or ("",)):
         axes: Any = figure.add_subplot(1, count, index + 1, projection="3d")
         axes.view_init(elev=view.elevation, azim=view.azimuth)
+        axes.set_proj_type("ortho")  # as all pictures in space, with true proportions
         if not key or not isinstance(subject, ScanCurvature):
             _draw(axes, scan, np.tile(to_rgb("0.6"), (len(scan.points), 1)), shade=True)
         else:
             q = quantity(key)
-            _draw(axes, scan, _coloured(figure, axes, subject, q), shade=False)
-            axes.set_title(f"{q.name} {q.symbol}", fontsize=9)
+            _draw(axes, scan, _coloured(figure, axes, subject, q, style), shade=False, classes=q.kind == "class")
+            if style.title:
+                axes.set_title(quantity_label(q), fontsize=9)
         axes.set_aspect("equal")
+        axes.set_box_aspect(axes.get_box_aspect(), zoom=_ROOM)
         axes.tick_params(labelsize=6)
-        for axis in "xyz":
+        for axis, towards in zip("xyz", view.axes[2].tolist(), strict=True):
+            if abs(towards) > _END_ON:
+                getattr(axes, f"set_{axis}ticks")([])
+                continue
             getattr(axes, f"{axis}axis").set_major_locator(MaxNLocator(4))
             getattr(axes, f"set_{axis}label")(f"{axis} ({scan.unit})" if scan.unit else axis, fontsize=7)
-        for axis in "xyz":
-            getattr(axes, f"set_{axis}label")(f"{axis} ({scan.unit})" if scan.unit else axis, fontsize=7)
-    if title:
+    if title and style.title:
         drawn: Any = figure
         drawn.suptitle(title, fontsize=11)
-    return figure
+    return style.finish(figure)
 
 
-def _coloured(figure: Any, axes: Any, found: ScanCurvature, q: Quantity) -> FloatArray:
+def _coloured(figure: Any, axes: Any, found: ScanCurvature, q: Quantity, style: Style) -> FloatArray:
     """Return the colours (n, 3) of the points, and draw the scale beside the axes."""
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
@@ -66,20 +81,22 @@ def _coloured(figure: Any, axes: Any, found: ScanCurvature, q: Quantity) -> Floa
         axes.legend(handles=patches, fontsize=6, loc="upper left")
         return colours
     inner = np.where(found.border, np.nan, values)  # borders are worse, and would stretch the scale
-    stretch = limits(inner, q)
+    stretch = stretched([inner], q, style)
     unit = q.unit(found.scan.unit)
-    shade = ScalarMappable(Normalize(stretch.low, stretch.high), colour_map(q))
+    shade = ScalarMappable(Normalize(stretch.low, stretch.high), colour_map(q, stretch.colours))
     bar: Any = figure.colorbar(shade, ax=axes, shrink=0.6, pad=0.16)
     bar.set_label(f"{q.symbol} ({unit})" if unit else q.symbol, fontsize=8)
     bar.ax.tick_params(labelsize=7)
     return real_colours(values, q, stretch)
 
 
-def _draw(axes: Any, scan: Scan, colours: FloatArray, shade: bool) -> None:
+def _draw(axes: Any, scan: Scan, colours: FloatArray, shade: bool, classes: bool = False) -> None:
     p = scan.points
     if scan.triangles is not None and len(scan.triangles) <= _MOST:
         faces = axes.plot_trisurf(*p.T, triangles=scan.triangles, shade=False, linewidth=0.0, antialiased=False)
-        shades = colours[scan.triangles].mean(axis=1)
+        a, b, c = (colours[scan.triangles[:, k]] for k in range(3))
+        # Of classes a triangle shows the one of most of its corners: a mixture would be another.
+        shades = np.where((b == c).all(axis=1)[:, None], b, a) if classes else (a + b + c) / 3.0
         faces.set_facecolors(shades * _lit(scan)[:, None] if shade else shades)
         return
     chosen = np.linspace(0, len(p) - 1, min(len(p), _MOST)).astype(int)

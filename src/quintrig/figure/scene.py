@@ -17,6 +17,7 @@ from quintrig.support.tolerance import NOISE
 MOST_SURFACES = 5000
 """Surfaces of one picture."""
 
+_BESIDE = 84  # facets a side in each of several pictures
 _FACETS = 400_000  # in all: more than the dots of a picture
 
 Box = tuple[FloatArray, FloatArray]
@@ -83,6 +84,11 @@ def thinned(scene: Scene, count: int) -> Scene:
     if cells == scene.cells:
         return scene
     return replace(scene, cells=cells, isolines=min(scene.isolines, cells // 16), normal=False)
+
+
+def beside(scene: Scene, count: int) -> Scene:
+    """Return a scene with facets as small to the eye where ``count`` pictures stand side by side."""
+    return scene if count == 1 else replace(scene, cells=min(scene.cells, _BESIDE))
 
 
 def _side(count: int, usual: int) -> int:

@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.font_manager import get_font_names
 from matplotlib.text import Text
 
+from quintrig.figure.camera import View, ViewName, read_view
 from quintrig.figure.palette import Limits
 from quintrig.support.errors import ArgumentError, nearest
 
@@ -20,6 +21,12 @@ POINTS = 7.5
 
 COLUMNS = {"column": 84.0, "page": 174.0}
 """Widths in millimetres of one and of two columns, as most journals set them."""
+
+MOST_LINES = 100
+"""Parameter lines each way."""
+
+LEAST_DPI, MOST_DPI = 30, 600
+"""Dots per inch of PNG files."""
 
 _SERIF = {"serif", "times", "times new roman", "stixgeneral"}
 
@@ -33,6 +40,10 @@ class Style:
     to stretch them between; ``colours`` names a matplotlib colour map for quantities that are numbers. ``levels`` are
     contour lines: how many, or at which values. Pictures that follow each other have ``scales``, by the key of a
     quantity, and a ``box``, two corners, in common.
+
+    What follows takes the place of a picture's own where it is given: ``view`` as ``plot`` takes it, ``net``, ``lines``
+    (so many parameter lines each way, or lines of a kind), ``at``, parameters (u, v) that are marked besides, ``width``
+    in inches or words, ``dpi`` dots per inch of PNG files, and on pages of several pictures the ``quantities``.
     """
 
     title: bool = True
@@ -45,6 +56,13 @@ class Style:
     levels: int | tuple[float, ...] = 0
     scales: Mapping[str, Limits] = field(default_factory=dict[str, Limits])
     box: tuple[tuple[float, ...], tuple[float, ...]] | None = None
+    view: View | ViewName | None = None
+    net: bool | None = None
+    lines: int | str | None = None
+    at: tuple[tuple[float, float], ...] = ()
+    width: float | str | None = None
+    dpi: int | None = None
+    quantities: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         """Check once, at birth; ValueError in one line."""
@@ -69,11 +87,23 @@ class Style:
             raise ArgumentError(
                 f"expected rising finite values, found {', '.join(f'{x:g}' for x in self.levels)}", "levels"
             )
+        if self.view is not None:
+            object.__setattr__(self, "view", read_view(self.view))
+        if self.width is not None:
+            object.__setattr__(self, "width", inches(self.width))
+        if isinstance(self.lines, int) and not 0 <= self.lines <= MOST_LINES:
+            raise ArgumentError(f"expected 0 to {MOST_LINES}, or a kind of lines, found {self.lines}", "lines")
+        if self.dpi is not None and not LEAST_DPI <= self.dpi <= MOST_DPI:
+            raise ArgumentError(f"expected {LEAST_DPI} to {MOST_DPI} dots per inch, found {self.dpi}", "dpi")
 
     @property
     def factor(self) -> float:
         """How much larger than usual letters and lines are."""
         return self.size / POINTS
+
+    def across(self, usual: float) -> float:
+        """Return the width in inches to lay a figure out in, which ``finish`` then enlarges by ``factor``."""
+        return (usual if self.width is None else inches(self.width)) / self.factor
 
     def finish(self, figure: Figure) -> Figure:
         """Set the fonts of a figure, and enlarge it with all that is on it by ``factor``."""

@@ -9,7 +9,8 @@ from quintrig.figure.field import common_limits, facet_fields, levels_of
 from quintrig.figure.flat import draw_map, lines_note, map_axes, map_fields, zero_sets
 from quintrig.figure.frame import panel_size
 from quintrig.figure.legend import draw_class_list, draw_key, key_height, key_width
-from quintrig.figure.scene import Mark, Scene, bounds, share_outside, thinned
+from quintrig.figure.read_lines import marks_at, staged
+from quintrig.figure.scene import Mark, Scene, beside, bounds, share_outside, thinned
 from quintrig.figure.sheet import KeyPlace, columns_for, sheet
 from quintrig.figure.space import draw_space
 from quintrig.figure.style import STANDARD, Style
@@ -35,9 +36,9 @@ def space_picture(
 
     On a plain one, the labels of the scene's traces are listed below; ``remark`` ends the note.
     """
-    width = width / style.factor
+    width = style.across(width)
     patches = several(surfaces)
-    scene = thinned(scene or Scene(normal=key is None), len(patches))
+    scene = thinned(staged(scene or Scene(normal=key is None), style, patches), len(patches))
     fields = facet_fields(patches, key, scene.cells, thresholds)
     stretch = common_limits(fields, style)
     levels = levels_of(style, stretch)
@@ -78,7 +79,7 @@ def flat_map(
     style: Style = STANDARD,
 ) -> Figure:
     """Return one map of a quantity over (u, v)."""
-    width = width / style.factor
+    width, marks = style.across(width), (*marks, *marks_at(style.at))
     fields = map_fields([surface], key, thresholds=thresholds)
     stretch = common_limits(fields, style)
     levels = levels_of(style, stretch)
@@ -109,9 +110,9 @@ def panels(
     Without ``keys`` it is the triptych surface, K, H of the thesis's figures 4.3 to 4.32. Net, marks, traces and
     normal of the scene are drawn on the plain panel only, or on every panel where there is no plain one.
     """
-    width = width / style.factor
+    width = style.across(width)
     patches = several(surfaces)
-    scene = thinned(scene or Scene(normal=None in keys), len(patches))
+    scene = beside(thinned(staged(scene or Scene(normal=None in keys), style, patches), len(patches)), len(keys))
     columns = columns_for(width, len(keys), columns)
     box = bounds(patches, scene, style)
     panel = panel_size(scene.view, *box, (width - 0.2 - 0.12 * (columns - 1)) / columns, scene.frame)
@@ -161,7 +162,7 @@ def map_panels(
     style: Style = STANDARD,
 ) -> Figure:
     """Return maps of several quantities over (u, v), each with its own key."""
-    width = width / style.factor
+    width, marks = style.across(width), (*marks, *marks_at(style.at))
     every = [map_fields([surface], key, thresholds=thresholds) for key in keys]
     columns = columns_for(width, len(keys), columns)
     side = (width - 0.2 - 0.12 * (columns - 1)) / columns

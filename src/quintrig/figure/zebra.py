@@ -7,7 +7,8 @@ from matplotlib.figure import Figure
 
 from quintrig.figure.camera import ISO, View
 from quintrig.figure.frame import panel_size
-from quintrig.figure.scene import Scene, Trace, bounds
+from quintrig.figure.read_lines import staged
+from quintrig.figure.scene import Scene, Trace, bounds, thinned
 from quintrig.figure.sheet import sheet
 from quintrig.figure.space import draw_space
 from quintrig.figure.style import STANDARD, Style
@@ -49,12 +50,14 @@ def zebra_picture(
     style: Style = STANDARD,
 ) -> Figure:
     """Return a picture in space of surfaces that reflect a striped room: ``STRIPES`` lamps that run across the view."""
-    width = width / style.factor
-    scene = Scene(view=view, traces=tuple(traces), rims=False, cells=160)
-    box = bounds(surfaces, scene)
-    panel = panel_size(view, *box, width - 0.2, scene.frame)
+    width = style.across(width)
+    scene = thinned(
+        staged(Scene(view=view, traces=tuple(traces), rims=False, cells=160), style, surfaces), len(surfaces)
+    )
+    box = bounds(surfaces, scene, style)
+    panel = panel_size(scene.view, *box, width - 0.2, scene.frame)
     lengths = f"; lengths in {unit}" if unit else ""
     page = sheet(1, panel, title=title, note=f"{_NOTE[0].upper()}{_NOTE[1:]}{lengths}", key="none", style=style)
-    tints = [stripes(surface, view, scene.cells) for surface in surfaces]
+    tints = [stripes(surface, scene.view, scene.cells) for surface in surfaces]
     draw_space(page.panels[0].axes(), surfaces, scene, tints=tints, unit=unit, box=box)
     return style.finish(page.figure)

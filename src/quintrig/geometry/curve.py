@@ -13,13 +13,14 @@ from quintrig.basis.registry import DEFAULT, Choice
 from quintrig.geometry.curve_queries import Queries
 from quintrig.geometry.origin import local_origin
 from quintrig.support.arrays import FloatArray, frozen, number, parameter, whole
+from quintrig.support.display import Shown
 from quintrig.support.pickled import Pickled
 
 _SINGULAR = 1e-13  # speed below this share of the polygon's length: the tangent is lost to rounding
 
 
 @dataclass(frozen=True, eq=False)
-class Curve(Queries, Pickled):
+class Curve(Queries, Pickled, Shown):
     """z(t) = Σ P_i f_i(t), t in [0, 1] (thesis eq. 2.1).
 
     ``points`` is (6, 2) or (6, 3), as many as another ``basis`` has functions; ``alpha`` and ``zeta`` are in [-4, 1]

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from quintrig.geometry.curve_frames import Frames
 from quintrig.support.arrays import FloatArray
 
-_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(16)
+_NODES = 16  # of a panel
 _DEEPEST = 48  # halvings of a panel after which an integral that still grows is infinite
 _GROWS = 1e-4  # of the integral: what a panel so small must add to it for that
 _MOST_PANELS = 400
@@ -109,10 +109,11 @@ class Measures(Frames):
 
     def _bending(self, panels: Sequence[tuple[float, float]]) -> FloatArray:
         low, high = np.array(panels).T[:, :, None]
+        nodes, weights = np.polynomial.legendre.leggauss(_NODES)
         half = 0.5 * (high - low)
-        t = np.clip(0.5 * (low + high) + half * _NODES, 0.0, 1.0)
+        t = np.clip(0.5 * (low + high) + half * nodes, 0.0, 1.0)
         speed = np.linalg.norm(self.derivatives(t, 1)[1], axis=-1)
-        return (half * self.curvature(t) ** 2 * speed) @ _WEIGHTS
+        return (half * self.curvature(t) ** 2 * speed) @ weights
 
     def area_under(self) -> float:
         """Return ∫ y dx of a plane curve, length²; ValueError in space."""
@@ -150,6 +151,7 @@ class Measures(Frames):
             raise ValueError("area: expected a plane curve (n x 2 points), found one in space")
         edges = np.linspace(0.0, 1.0, 9)
         half = 0.5 * np.diff(edges)[:, None]
-        t = (0.5 * (edges[:-1] + edges[1:])[:, None] + half * _NODES).ravel()
+        nodes, weights = np.polynomial.legendre.leggauss(_NODES)
+        t = (0.5 * (edges[:-1] + edges[1:])[:, None] + half * nodes).ravel()
         values = self.derivatives(t, 1)
-        return values[0].T, values[1].T, (half * _WEIGHTS).ravel()
+        return values[0].T, values[1].T, (half * weights).ravel()

@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any, Protocol
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from quintrig.basis.functions import Functions
 from quintrig.geometry.trimmed import Inside
 from quintrig.support.arrays import BoolArray, FloatArray, locked, parameter, whole
-from quintrig.support.display import mime_bundle
+from quintrig.support.display import Shown
 from quintrig.support.handed import Handed
 from quintrig.support.pickled import Pickled
 
@@ -99,7 +99,7 @@ _REMEDY = "take another unit of length or other numbers"
 
 
 @dataclass(frozen=True, eq=False)
-class Surface(Pickled, Handed):
+class Surface(Pickled, Handed, Shown):
     """S(u, v) = Σ_j Q_j(u) D_j(v) over (u, v) in [0, 1]².
 
     The normal points along S_u x S_v, against it when ``flip``. ``net`` is the control net to draw, shape (n, m, 3),
@@ -179,10 +179,6 @@ class Surface(Pickled, Handed):
     @cached_property
     def _loops(self) -> Inside:
         return Inside(self.trim)
-
-    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> Any:
-        """Return the interactive view that a notebook shows; only the text where the extra ``jupyter`` is missing."""
-        return mime_bundle(self)
 
     def breaks(self, axis: int) -> FloatArray:
         """Return the parameters from 0 to 1 in u (``axis`` 0) or v (1) between two of which the surface is smooth."""

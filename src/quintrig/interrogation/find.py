@@ -14,7 +14,7 @@ from quintrig.interrogation.subject import Subject
 from quintrig.model.model import Model
 from quintrig.model.patch import Patch
 from quintrig.support.errors import nearest
-from quintrig.support.progress import Progress
+from quintrig.support.progress import Progress, watched
 
 _CHORD = 1e-4  # of the size
 _SEAM = 1e-4  # of the size: ends this near are one line
@@ -72,6 +72,7 @@ ALIASES = {
 }
 
 
+@watched
 def lines(subject: Surface | Patch | Model, kind: str, *, progress: Progress | None = None, **options: Any) -> Lines:
     """Return lines of one kind on a surface, or on all patches of a model, across their seams.
 

@@ -5,11 +5,12 @@ from dataclasses import dataclass
 from typing import Any
 
 from quintrig.support.arrays import FloatArray
+from quintrig.support.display import Shown
 from quintrig.support.pickled import Pickled
 
 
 @dataclass(frozen=True, eq=False)
-class Line(Pickled):
+class Line(Pickled, Shown):
     """A polyline on one patch: parameters ``uv`` (n, 2), ``points`` (n, 3) and arc length ``s`` (n,), length¹.
 
     ``values`` (n,) is the quantity along it, ``label`` its family or level. Lines that run on across patches or the
@@ -58,7 +59,7 @@ class Line(Pickled):
 
 
 @dataclass(frozen=True, eq=False)
-class Lines(Pickled):
+class Lines(Pickled, Shown):
     """All lines of one kind on a model; ``quantity`` names what ``values`` are, ``unit`` is that of lengths.
 
     ``quantity_unit`` is the unit of the values, ``notes`` say what else is to be known, such as why there is no line.

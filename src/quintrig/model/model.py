@@ -17,7 +17,7 @@ from quintrig.model.kinds.registry import kinds
 from quintrig.model.own_bases import table_of
 from quintrig.model.patch import NamedCurve, Patch, curve_of, patch_of, with_bases
 from quintrig.model.reading import read_text
-from quintrig.support.display import mime_bundle
+from quintrig.support.display import Shown
 from quintrig.support.errors import ModelError, nearest
 from quintrig.support.handed import Handed
 from quintrig.support.late import call
@@ -42,7 +42,7 @@ Part = TypeVar("Part", Patch, NamedCurve)
 
 
 @dataclass(frozen=True, eq=False)
-class Model(Handed):
+class Model(Handed, Shown):
     """A model file: name, unit of length (empty: plain numbers), patches with sides held together, and curves."""
 
     name: str
@@ -95,16 +95,12 @@ class Model(Handed):
                 f"model {self.name!r}: expected a surface, found curves; a swept or ruled model makes a surface of them"
             )
 
-    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> Any:
-        """Return the interactive view that a notebook shows; only the text where the extra ``jupyter`` is missing."""
-        return mime_bundle(self)
-
     def joins(self, **limits: Any) -> Any:
         """Return which edges of the patches meet, how smoothly, and which are free.
 
         The result is a ``Joins``. Takes ``preset`` ("engineering" or "class-a"), ``tolerance`` (length¹), ``angle``
-        (degrees), ``curvature`` (relative jump) and ``near`` (part of an edge's length up to which near misses are
-        told). Raises ValueError for limits not above 0.
+        (degrees), ``curvature`` (relative jump), ``near`` (part of an edge's length up to which near misses are told)
+        and ``of`` (names of patches, for theirs alone). Raises ValueError for limits not above 0.
         """
         return call("joins", self, **limits)
 
@@ -123,15 +119,16 @@ class Model(Handed):
         return replace(self, patches=tuple(patch if one is old else one for one in self.patches))._carried()
 
     def replace(self, *parts: Patch | NamedCurve) -> "Model":
-        """Return the model with the patches and curves of these names replaced; ModelError where it has none such."""
-        changed = self
+        """Return the model with the patches and curves of these names replaced, and with what joins carry along.
+
+        Raises ModelError where it has none such.
+        """
+        new = {part.name: part for part in parts}
         for part in parts:
-            if isinstance(part, Patch):
-                changed = changed.with_patch(part)
-            else:
-                old = changed.curve(part.name)
-                changed = replace(changed, curves=tuple(part if one is old else one for one in changed.curves))
-        return changed
+            _ = self.patch(part.name) if isinstance(part, Patch) else self.curve(part.name)
+        patches = tuple(found if isinstance(found := new.get(one.name), Patch) else one for one in self.patches)
+        curves = tuple(found if isinstance(found := new.get(one.name), NamedCurve) else one for one in self.curves)
+        return replace(self, patches=patches, curves=curves)._carried()
 
     def _carried(self) -> "Model":
         """Return the model with every side that is held moved to what it is held to."""

@@ -18,13 +18,14 @@ from quintrig.model.kinds.recognise import recognised
 from quintrig.model.kinds.registry import kinds
 from quintrig.model.own_bases import own_bases, tables_of
 from quintrig.model.reading import in_rows, read_net, read_text
+from quintrig.support.display import Shown
 from quintrig.support.errors import ModelError, nearest
 from quintrig.support.handed import Handed
 from quintrig.support.parsing import parse
 
 
 @dataclass(frozen=True, eq=False)
-class Patch(Handed):
+class Patch(Handed, Shown):
     """One surface of a model: its name, what the file said of it, and the surface built from that.
 
     Given None for the definition of a surface that no file holds, it has that of ``Patch.of``.
@@ -99,7 +100,7 @@ class Patch(Handed):
 
 
 @dataclass(frozen=True, eq=False)
-class NamedCurve:
+class NamedCurve(Shown):
     """One curve of a model: its name, what the file said of it, and the curve built from that."""
 
     name: str

@@ -1,5 +1,6 @@
 """``join``: two patches of a model made to meet along a side of each, to a wanted order."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -7,10 +8,11 @@ import numpy as np
 from quintrig.model.held import Held, held
 from quintrig.model.model import Model
 from quintrig.model.patch import Patch
+from quintrig.multipatch.beside import broken, ratio_along, seams_beside
 from quintrig.multipatch.boundary import SIDES, Edge, edges
 from quintrig.multipatch.find import joins_of
 from quintrig.multipatch.joins import ORDERS, Join
-from quintrig.multipatch.match import Match, layers, match
+from quintrig.multipatch.match import Condition, Match, layers, match, match_all
 from quintrig.multipatch.nets import Handle, as_tensor, handle, net_of
 from quintrig.multipatch.strips import attach_strip
 from quintrig.support.errors import ModelError, nearest
@@ -49,10 +51,11 @@ def join(
 ) -> Model:
     """Return the model with the second side moved, as little as needed, to join the first: ``"a:u1"``, ``"b:u0"``.
 
-    ``order`` is G0, G1, G2 or G3; ``ratio`` > 0 that of the speeds across the seam, second to first, by default the
-    one of least change. With ``both`` the first patch moves too; with ``convert`` a patch that cannot stay of its
-    kind becomes a tensor-product patch; with ``hold`` the model keeps the join from now on. Raises ModelError or
-    ValueError for sides that cannot be joined.
+    ``order`` is G0, G1, G2 or G3; ``ratio`` > 0 that of the speeds across the seam, second to first, by default that
+    of the seam which this one goes on from at a corner, else the one of least change. Other seams of the second patch
+    are kept where all can be met at once. With ``both`` the first patch moves too; with ``convert`` a patch that cannot
+    stay of its kind becomes a tensor-product patch; with ``hold`` the model keeps the join from now on. Raises
+    ModelError or ValueError for sides that cannot be joined.
     """
     return attach(model, first, second, order, ratio, both=both, convert=convert, hold=hold).model
 
@@ -82,7 +85,9 @@ def attach(
         found = attach_strip(one, side1, two, side2, level, ratio)
         changed, ratio_used, moved, exact, notes = {two.name: found.patch}, found.ratio, found.moved, True, found.notes
     else:
-        changed, done, notes = _matched(one, side1, two, side2, level, ratio, reverse, both, convert)
+        stay = {} if both else seams_beside(replace(model, held=()), two, side2)
+        wanted = ratio if ratio is not None or level == 0 else ratio_along(replace(model, held=()), one, side1)
+        changed, done, notes = _matched(one, side1, two, side2, level, wanted, reverse, both, convert, stay)
         ratio_used, moved, exact = done.ratio, done.moved, done.exact
     rules = model.held
     if hold:
@@ -151,11 +156,12 @@ def _matched(
     reverse: bool,
     both: bool,
     convert: bool,
+    stay: dict[str, Condition],
 ) -> tuple[dict[str, Patch], Match, tuple[str, ...]]:
-    """Return the patches changed, by name, what the match took, and notes."""
+    """Return the patches changed, by name, what the match took, and notes; ``stay`` are seams to keep if possible."""
     notes: list[str] = []
-    two, own = movable(two, convert, notes)
-    one, other = movable(one, convert, notes) if both else (one, None)
+    two, own = movable(two, convert, notes, (side2,))
+    one, other = movable(one, convert, notes, (side1,)) if both else (one, None)
     for patch, side in ((two, side2), *(((one, side1),) if both else ())):
         count = layers(patch.surface, side)
         if count <= level:
@@ -167,9 +173,13 @@ def _matched(
             notes.append(f"{patch.name}: all {count} rows are held by the join: the side opposite moves too")
 
     def solve() -> Match:
-        return match(
-            one.surface, side1, two.surface, side2, own, level, reverse=reverse, ratio=ratio, other=other
-        )  # fmt: skip
+        alone = match(one.surface, side1, two.surface, side2, own, level, reverse=reverse, ratio=ratio, other=other)
+        if not stay or not alone.exact:
+            return alone
+        wanted = Condition(one.surface, side1, side2, level, reverse, alone.ratio)
+        values, met = match_all(two.surface, own, [wanted, *stay.values()])
+        shift = float(np.linalg.norm(values - own.values))
+        return Match(None, values, alone.ratio, shift, True) if all(met) else alone
 
     done = solve()
     if not done.exact and two.kind == "ruled":
@@ -192,14 +202,19 @@ def _matched(
     if not done.exact:
         notes.append(_why(one, side1, two, side2, reverse))
     changed = {two.name: two.rebuilt(**own.keys(done.second))}
+    for name in broken(stay, changed[two.name]):
+        notes.append(
+            f"{name} no longer meet exactly: with this join they cannot; four patches meet smoothly at a corner where "
+            "the ratio is the same along each line of patches, as it is if left out"
+        )
     if other is not None and done.first is not None:
         changed[one.name] = one.rebuilt(**other.keys(done.first))
     return changed, done, tuple(notes)
 
 
-def movable(patch: Patch, convert: bool, notes: list[str]) -> tuple[Patch, Handle]:
-    """Return a patch, and what may be moved of it; ModelError where it is of a kind that has no such thing."""
-    found = handle(patch)
+def movable(patch: Patch, convert: bool, notes: list[str], sides: Iterable[str] = ()) -> tuple[Patch, Handle]:
+    """Return a patch, and what may be moved of it to join at these sides; ModelError where that is nothing."""
+    found = handle(patch, sides)
     if found is not None:
         return patch, found
     tensor = as_tensor(patch)
@@ -250,9 +265,9 @@ def _worse(before: Model, after: Model, changed: set[str], seam: set[tuple[str, 
 
     def seams(model: Model) -> dict[frozenset[tuple[str, str]], Join]:
         found: dict[frozenset[tuple[str, str]], Join] = {}
-        for one in joins_of(model):
+        for one in joins_of(model, of=changed):
             ends = frozenset((end.patch, end.side) for end in (one.first, one.second))
-            if set(ends) != seam and {name for name, _ in ends} & changed:
+            if set(ends) != seam:
                 found[ends] = one
         return found
 

@@ -1,12 +1,13 @@
 """Finding the joins of a model: edges paired by place, measured, and judged by limits."""
 
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from quintrig.geometry.surface import Surface
+from quintrig.model.held import Held
 from quintrig.model.model import Model
 from quintrig.multipatch.boundary import Edge, edges
 from quintrig.multipatch.contact import Contact, contact
@@ -23,11 +24,18 @@ _NEAR = 0.2
 _LITTLE = 0.02  # of an edge: less than that is not told as free
 
 
-def find_joins(model: Model | Sequence[Surface], wanted: Limits | None = None, *, near: float = _NEAR) -> Joins:
+def find_joins(
+    model: Model | Sequence[Surface],
+    wanted: Limits | None = None,
+    *,
+    near: float = _NEAR,
+    of: Collection[str] | None = None,
+) -> Joins:
     """Return the joins of a model's patches, or of surfaces, within ``wanted`` limits (default: engineering).
 
     Edges farther apart than these are told as open up to ``near`` times their length and their patches' width. The
-    angle is that of the tangent planes across the edge, folded patches at 180°. Cost grows with the number of edges.
+    angle is that of the tangent planes across the edge, folded patches at 180°. ``of`` names the only patches whose
+    joins and free edges are wanted. Cost grows with the number of edges.
     """
     if isinstance(model, Model):
         title, unit = model.name, model.unit
@@ -42,12 +50,13 @@ def find_joins(model: Model | Sequence[Surface], wanted: Limits | None = None, *
     least = min(sizes)
     floors = flat(least), flat(least) / least
     reach = np.array([max(near * min(edge.length, edge.width), wanted.tolerance) for edge in alive])
+    chosen = {k for k, name in enumerate(names) if of is None or name in of}
     found = [
         (alive[a], alive[b], met)
-        for a, b in candidates(alive, reach)
+        for a, b in _around(candidates(alive, reach), [edge.patch in chosen for edge in alive])
         if (met := contact(alive[a], alive[b], min(reach[a], reach[b]), _tolerance(alive[a], alive[b], wanted)))
     ]
-    kept = _kept(found, wanted)
+    kept = [one for one in _kept(found, wanted) if {one[0].patch, one[1].patch} & chosen]
     joins = [_measured(names, *one, wanted, floors) for one in kept]
     return Joins(
         title,
@@ -55,8 +64,9 @@ def find_joins(model: Model | Sequence[Surface], wanted: Limits | None = None, *
         wanted,
         floors,
         tuple(joins),
-        tuple(_free(names, alive, kept, wanted)),
-        tuple(End(names[edge.patch], edge.side) for edge in poles),
+        tuple(_free(names, [edge for edge in alive if edge.patch in chosen], kept, wanted)),
+        tuple(End(names[edge.patch], edge.side) for edge in poles if edge.patch in chosen),
+        tuple(_unmet(model.held, joins, None if of is None else set(of))) if isinstance(model, Model) else (),
     )
 
 
@@ -68,13 +78,36 @@ def joins_of(
     angle: float | None = None,
     curvature: float | None = None,
     near: float = _NEAR,
+    of: Collection[str] | None = None,
 ) -> Joins:
-    """Return the joins of a model under a preset's limits, some replaced; ValueError for limits not above 0."""
+    """Return the joins of a model, or those ``of`` some patches, under a preset's limits, some replaced.
+
+    Raises ValueError for limits not above 0.
+    """
     if not 0.0 < near <= 0.5:
         raise ValueError(f"near: expected a part of an edge's length above 0 and up to 0.5, found {near:g}")
     size = 1.0 if model.unit else _extent(edges([patch.surface for patch in model.patches])[0])
     wanted = limits(model.unit, size, preset, tolerance=tolerance, angle=angle, curvature=curvature)
-    return find_joins(model, wanted, near=near)
+    return find_joins(model, wanted, near=near, of=of)
+
+
+def _unmet(rules: Sequence[Held], joins: Sequence[Join], of: set[str] | None) -> Iterator[str]:
+    """Give a line on each join that is to hold between these patches and does not reach its order."""
+    found = {frozenset(f"{end.patch}:{end.side}" for end in (one.first, one.second)): one for one in joins}
+    for rule in rules:
+        seam = found.get(frozenset((rule.first, rule.second)))
+        order = seam.order if seam else "open"
+        if ORDERS.index(order) < ORDERS.index(rule.order) and (of is None or set(rule.patches) & of):
+            yield (
+                f"{rule.second} is held to {rule.first} to {rule.order} and reaches {order}: its kind or its functions "
+                "along the side do not allow it; make it a tensor-product patch with the same shape parameters there"
+            )
+
+
+def _around(pairs: list[tuple[int, int]], wanted: Sequence[bool]) -> list[tuple[int, int]]:
+    """Return the pairs of wanted edges, and of those that may be near them: which near misses count hangs on these."""
+    beside = {edge for pair in pairs if wanted[pair[0]] or wanted[pair[1]] for edge in pair}
+    return [pair for pair in pairs if pair[0] in beside or pair[1] in beside]
 
 
 def _extent(alive: Sequence[Edge]) -> float:

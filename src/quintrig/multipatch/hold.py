@@ -36,7 +36,7 @@ def _followed(model: Model, rules: list[Held]) -> Patch:
             raise _contradiction(rules)
         (lead, side), own = side_of(model, rules[0].first), side_of(model, rules[0].second)[1]
         return attach_strip(lead, side, patch, own, _level(rules[0]), rules[0].ratio).patch
-    patch, handle = movable(patch, False, [])
+    patch, handle = movable(patch, False, [], [rule.second.rpartition(":")[2] for rule in rules])
     conditions = [_condition(model, rule) for rule in rules]
     values, met = match_all(patch.surface, handle, conditions)
     if not all(met) and len(rules) > 1:

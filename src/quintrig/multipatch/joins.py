@@ -107,7 +107,8 @@ class Joins:
     """All joins of a model, its free edges and its poles, under stated limits.
 
     ``floors`` are the normal curvature (length⁻¹) and its rate (length⁻²) below which a relative jump is measured
-    against them: what is as good as flat at the size of the smallest patch.
+    against them: what is as good as flat at the size of the smallest patch. ``unmet`` has a line on each join that the
+    model is to hold and that does not reach its order.
     """
 
     name: str
@@ -117,6 +118,7 @@ class Joins:
     joins: tuple[Join, ...]
     free: tuple[End, ...]
     poles: tuple[End, ...]
+    unmet: tuple[str, ...] = ()
 
     def __len__(self) -> int:
         """Return the number of joins."""
@@ -137,8 +139,8 @@ class Joins:
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """A line on every seam that is nearly closed."""
-        return tuple(join.describe(self.unit) for join in self.joins if join.order == "open")
+        """A line on every seam that is nearly closed, and on every join that is to hold and does not."""
+        return (*(join.describe(self.unit) for join in self.joins if join.order == "open"), *self.unmet)
 
     def to_dict(self) -> dict[str, Any]:
         """Return plain values for JSON; angles in degrees."""
@@ -155,6 +157,7 @@ class Joins:
             "joins": [join.to_dict() for join in self.joins],
             "free": [end.to_dict() for end in self.free],
             "poles": [{"patch": end.patch, "side": end.side} for end in self.poles],
+            "unmet": list(self.unmet),
         }
 
     def table(self) -> Table:

@@ -1,6 +1,6 @@
 """The control points that a join may move: how a kind's net depends on them, and how they go back into its keys."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -31,8 +31,14 @@ class Handle:
         return np.stack([self.net(unit).ravel() - start for unit in np.eye(len(self.values))], axis=-1)
 
 
-def handle(patch: Patch) -> Handle | None:
-    """Return what may be moved of a patch and keep it of its kind; None where its kind has no net that is affine."""
+def handle(patch: Patch, sides: Iterable[str] = ()) -> Handle | None:
+    """Return what may be moved of a patch and keep it of its kind; None where its kind has no net that is affine.
+
+    The net of a swung surface is, by its profile or by its trajectory alone: ``sides`` that are to move tell which.
+    """
+    if patch.kind == "swung":
+        ways = {side[:1] for side in sides}
+        return _swung(patch, ways.pop()) if len(ways) == 1 else None
     build = _HANDLES.get(patch.kind)
     return build(patch) if build else None
 
@@ -115,6 +121,21 @@ def _ruled(patch: Patch) -> Handle:
         return {**_kept(patch), "first": a.tolist(), "second": b.tolist()}
 
     return Handle(np.concatenate([first.ravel(), second.ravel()]), net, back)
+
+
+def _swung(patch: Patch, way: str) -> Handle:
+    """Across the sides u = 0 and u = 1 the profile moves, across the others the trajectory."""
+    keys = patch.definition.model_dump()
+    profile, trajectory = np.array(keys["profile"]), np.array(keys["trajectory"])
+    name, own = ("profile", profile) if way == "u" else ("trajectory", trajectory)
+
+    def net(x: FloatArray) -> FloatArray:
+        moved = x.reshape(own.shape)
+        (r, z), (a, b) = (moved.T, trajectory.T) if way == "u" else (profile.T, moved.T)
+        radius = float(keys["scale"]) * r
+        return np.stack([np.outer(radius, a), np.outer(radius, b), np.outer(z, np.ones(len(trajectory)))], axis=-1)
+
+    return Handle(own.ravel(), net, lambda x: {**_kept(patch), name: x.reshape(own.shape).tolist()})
 
 
 def _nurbs(patch: Patch) -> Handle | None:

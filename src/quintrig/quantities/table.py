@@ -276,9 +276,8 @@ _BY_SYMBOL = {_spelled(symbol): q for q in reversed(QUANTITIES) for symbol in (q
 
 def quantity(name: str) -> Quantity:
     """Return the row of a key or a symbol such as K, κ1, β0 or beta_0; ValueError with the nearest names."""
-    found = BY_KEY.get(name)
-    if found is not None:  # asked for at every step along a line
-        return found
+    if name in BY_KEY:
+        return BY_KEY[name]
     symbol = _spelled(name)
     found = _BY_SYMBOL.get(symbol) or BY_KEY.get(name.lower()) or _BY_SYMBOL.get(symbol.upper())
     if found is None:

@@ -92,7 +92,7 @@ def render(picture: Picture, formats: Sequence[str] = (), style: Style = STANDAR
     figure = picture.draw(style=style)
     width, height = (float(x) for x in figure.get_size_inches())
     data = base64.b64encode(to_png_bytes(figure, _DPI)).decode("ascii")
-    files = {form: to_bytes(figure, form, _FILE_DPI) for form in formats}
+    files = {form: to_bytes(figure, form, style.dpi or _FILE_DPI) for form in formats}
     return Image(
         f"data:image/png;base64,{data}", picture.alt, round(96 * width), round(96 * height), files, picture.name
     )
@@ -110,20 +110,27 @@ def overview(model: Model, joins: Joins) -> Iterator[Picture]:
     yield Picture("all-zebra", "All patches reflecting stripes.", partial(zebra_picture, surfaces, unit=model.unit))
 
 
-def pictures(facts: Facts, detailed: bool) -> tuple[Picture, ...]:
-    """Return the pictures of a patch; only the surface, K, H and the agreement where not ``detailed``."""
-    shown = SHOWN if detailed else SHOWN[:2]
-    found = [_lead(facts), *_fields(facts, [key for key, _ in shown]), _agreement(facts)]
+def pictures(facts: Facts, detailed: bool, quantities: Sequence[str] = ()) -> tuple[Picture, ...]:
+    """Return the pictures of a patch; only the surface, K, H and the agreement where not ``detailed``.
+
+    ``quantities`` are keys to show in the place of ``SHOWN``.
+    """
+    found = [_lead(facts), *_fields(facts, _keys(detailed, quantities)), _agreement(facts)]
     if detailed:
         found += [_projections(facts), _lines(facts), *_invariants(facts), *_effect(facts)]
     return tuple(found)
 
 
-def picture_count(patch: Patch, detailed: bool) -> int:
+def picture_count(patch: Patch, detailed: bool, quantities: Sequence[str] = ()) -> int:
     """Return how many pictures ``pictures`` will return for a patch."""
-    if not detailed:
-        return 6
-    return 4 + 2 * len(SHOWN) + len(INVARIANTS) + (4 if has_effect(patch) else 0)
+    count = 2 + 2 * len(_keys(detailed, quantities))
+    return count + (2 + len(INVARIANTS) + (4 if has_effect(patch) else 0) if detailed else 0)
+
+
+def _keys(detailed: bool, quantities: Sequence[str]) -> list[str]:
+    """Return the keys of what is drawn in space and as a map."""
+    chosen = [key for key in quantities if key != "surface"]  # which is the first picture anyway
+    return chosen or [key for key, _ in (SHOWN if detailed else SHOWN[:2])]
 
 
 def _lead(facts: Facts) -> Picture:
@@ -141,11 +148,19 @@ def _lead(facts: Facts) -> Picture:
     return Picture("lead", alt, partial(space_picture, surface, None, scene, unit=facts.unit, width=5.4))
 
 
-def readings(facts: Facts) -> tuple[tuple[str, str], ...]:
-    """Return ``SHOWN`` for a patch: lines of zeros are spoken of where it has any."""
+def readings(facts: Facts, images: Mapping[str, Image], style: Style = STANDARD) -> tuple[tuple[str, str], ...]:
+    """Return the quantities that are drawn and how to read each: lines of zeros are spoken of where there are any."""
     t = np.linspace(0.0, 1.0, 121)
-    drawn = {key for key in _ZEROS if zero_lines(field_of(facts.patch.surface, key, t, t))}
-    return tuple((key, reading + (_ZEROS[key] if key in drawn else "")) for key, reading in SHOWN)
+    told = {} if style.colours else dict(SHOWN)  # which speaks of the usual colours
+    keys = [name.removesuffix("-space") for name in images if name.endswith("-space")]
+    drawn = {key for key in _ZEROS if key in keys and zero_lines(field_of(facts.patch.surface, key, t, t))}
+    return tuple(
+        (key, told.get(key, _sentence(BY_KEY[key].meaning)) + (_ZEROS[key] if key in drawn else "")) for key in keys
+    )
+
+
+def _sentence(words: str) -> str:
+    return f"{words[:1].upper()}{words[1:].rstrip('.')}."
 
 
 def _fields(facts: Facts, keys: Sequence[str]) -> Iterator[Picture]:
@@ -161,6 +176,8 @@ def _fields(facts: Facts, keys: Sequence[str]) -> Iterator[Picture]:
 
 def _told(facts: Facts, key: str) -> str:
     """Say in words what a picture shows: the range of a number, the shares of classes."""
+    if key not in (*facts.summary.shares, *facts.summary.extremes):
+        return ""
     if key in facts.summary.shares:
         parts = facts.summary.shares[key][:6]
         return ", ".join(f"{part.name} {percent(part.share)}" for part in parts) + "."

@@ -12,9 +12,7 @@ from quintrig import __version__
 from quintrig.analysis.table import Table
 from quintrig.exchange.tables import shown
 from quintrig.figure import (
-    ISO,
     Scene,
-    View,
     comparison,
     curvature_plot,
     map_comparison,
@@ -23,7 +21,9 @@ from quintrig.figure import (
     to_bytes,
     torsion_plot,
 )
+from quintrig.figure.save import DPI
 from quintrig.figure.style import STANDARD, Style
+from quintrig.model.patch import NamedCurve, Patch
 from quintrig.quantities.table import quantity
 from quintrig.shaping.curve_effect import CurveVariant
 from quintrig.shaping.shape_effect import Variant
@@ -49,7 +49,6 @@ class Picture:
 def pictures(
     found: Sequence[Variant],
     keys: Sequence[str | None] = ("gaussian", "mean"),
-    view: View = ISO,
     name: str = "",
     progress: Callable[[str, int, int], None] | None = None,
     formats: Sequence[str] = (),
@@ -73,9 +72,9 @@ def pictures(
         if flat and key is not None:
             figure = map_comparison(surfaces, labels, key, title=title, unit=unit, style=style)
         else:
-            scene = Scene(view=view, isolines=7 if key is None else 0)
+            scene = Scene(isolines=7 if key is None else 0)
             figure = comparison(surfaces, labels, key, scene, title=title, unit=unit, style=style)
-        drawn.append(_picture(f"{key or 'surface'}{'_map' if flat else ''}", title, figure, formats))
+        drawn.append(_picture(f"{key or 'surface'}{'_map' if flat else ''}", title, figure, formats, style.dpi))
     return tuple(drawn)
 
 
@@ -97,38 +96,59 @@ def curve_pictures(
         *([] if plane else [("torsion", torsion_plot)]),
     ):
         figure = draw(curves, labels, title=f"{start}{what}", unit=unit, width=6.4, style=style)
-        drawn.append(_picture(what, f"{start}{what}", figure, formats))
+        drawn.append(_picture(what, f"{start}{what}", figure, formats, style.dpi))
     return tuple(drawn)
 
 
-def _picture(name: str, title: str, figure: Figure, formats: Sequence[str]) -> Picture:
-    png = to_bytes(figure, "png", _DPI)
-    return Picture(name, title, png, {form: png if form == "png" else to_bytes(figure, form) for form in formats})
+def _picture(name: str, title: str, figure: Figure, formats: Sequence[str], dpi: int | None) -> Picture:
+    png = to_bytes(figure, "png", dpi or _DPI)
+    return Picture(
+        name, title, png, {form: png if form == "png" else to_bytes(figure, form, dpi or DPI) for form in formats}
+    )
 
 
-def page(
-    found: Sequence[Variant] | Sequence[CurveVariant],
-    table: Table,
-    drawn: Sequence[Picture],
-    seams: Table | None = None,
-) -> str:
+@dataclass(frozen=True, eq=False)
+class Section:
+    """What shape parameters do to one patch or curve: its variants, their table, and of a body those of its seams."""
+
+    name: str
+    found: Sequence[Variant] | Sequence[CurveVariant]
+    table: Table
+    seams: Table | None = None
+    pictures: tuple[Picture, ...] = ()
+
+    @property
+    def kind(self) -> str:
+        """What it is, in words."""
+        kind = self._part.kind
+        return "curve" if kind == "curve" else f"{kind} surface"
+
+    @property
+    def names(self) -> str:
+        """The symbols of the shape parameters, such as (α1, ζ1, α2, ζ2)."""
+        return f"({', '.join(self._part.definition.shape_symbols)})"
+
+    @property
+    def lines(self) -> list[tuple[str, str, list[str]]]:
+        """Symbol, unit and values of each column of the table."""
+        columns = self.table.columns[self.table.lead :]
+        return [(one.symbol, one.unit, [shown(value) for value in one.rounded]) for one in columns]
+
+    @property
+    def seam_rows(self) -> list[list[str]]:
+        """The rows of the table of seams."""
+        if self.seams is None:
+            return []
+        return [[shown(cell) for cell in row] for row in zip(*(c.rounded for c in self.seams.columns), strict=True)]
+
+    @property
+    def _part(self) -> Patch | NamedCurve:
+        first = self.found[0]
+        return first.curve if isinstance(first, CurveVariant) else first.patch
+
+
+def page(sections: Sequence[Section], title: str, style: Style = STANDARD) -> str:
     """Return the page as HTML with its pictures inside: nothing beside it and no network is needed."""
     environment = Environment(autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
     template = environment.from_string((files("quintrig.report.templates") / "shape_effect.html.j2").read_text("utf-8"))
-    lines = [(one.symbol, one.unit, [shown(value) for value in one.rounded]) for one in table.columns[table.lead :]]
-    first = found[0]
-    part = first.curve if isinstance(first, CurveVariant) else first.patch
-    names = f"({', '.join(part.definition.shape_symbols)})"
-    return template.render(
-        table=table,
-        found=found,
-        lines=lines,
-        names=names,
-        kind="curve" if part.kind == "curve" else f"{part.kind} surface",
-        pictures=drawn,
-        seams=seams,
-        seam_rows=[[shown(cell) for cell in row] for row in zip(*(c.rounded for c in seams.columns), strict=True)]
-        if seams
-        else [],
-        version=__version__,
-    )
+    return template.render(title=title, sections=sections, style=style, version=__version__)

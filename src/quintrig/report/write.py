@@ -21,8 +21,9 @@ from quintrig.multipatch.joins import Joins
 from quintrig.quantities.classify import Thresholds
 from quintrig.quantities.signs import SIGN_TABLES
 from quintrig.quantities.table import QUANTITIES, quantity
-from quintrig.report import curves, kinds, tables
+from quintrig.report import curves, deviation, kinds, tables
 from quintrig.report import facts as known
+from quintrig.report.deviation import Beside
 from quintrig.report.facts import Facts
 from quintrig.report.findings import findings, methods
 from quintrig.report.lines import umbilic_words
@@ -32,7 +33,7 @@ from quintrig.report.wording import digits_of, measure, percent, prose
 from quintrig.studio import page as studio
 from quintrig.support.files import refuse_unwritable, write_whole
 from quintrig.support.processes import pool
-from quintrig.support.progress import Progress
+from quintrig.support.progress import Progress, watched
 
 DETAILED = 4
 """Models with more patches than this are told in brief: fewer pictures of each."""
@@ -51,6 +52,7 @@ class Chapter:
     detailed: bool
 
 
+@watched
 def write_report(
     model: Model,
     out: Path,
@@ -61,13 +63,15 @@ def write_report(
     figures: Sequence[str] = (),
     style: Style = STANDARD,
     processes: int | None = 1,
+    beside: Beside | None = None,
 ) -> Path:
     """Write a self-contained page on a model and return its path.
 
     That is ``out/index.html``, or ``out`` itself where it ends in .html.
     ``grid`` points a side are classified, compared and searched for extremes. ``figures`` are the formats, such as pdf,
     in which every picture is a file beside the page too, with the tables of labelled points as CSV and LaTeX;
-    ``style`` is how all of them look, and ``processes`` draw at once. The page is written whole or not at all;
+    ``style`` is how all of them look, and ``processes`` draw at once. ``beside`` is a target to tell of. The page is
+    written whole or not at all;
     QuintrigError where it cannot be written, ValueError for fewer than 2 points.
     """
     target = _target(out)
@@ -78,8 +82,10 @@ def write_report(
     several = len(model.patches) > 1
     total = 1 + (4 if several else 0)
     joins: Joins | None = model.joins() if several else None
-    total += curves.picture_count(model)
-    total += sum(known.steps(patch, detailed) + picture_count(patch, detailed) for patch in model.patches)
+    total += curves.picture_count(model) + (beside is not None)
+    total += sum(
+        known.steps(patch, detailed) + picture_count(patch, detailed, style.quantities) for patch in model.patches
+    )
     step = _steps(progress, total)
     if not model.patches:
         along = curves.curve_chapters(model, step, formats, style)
@@ -87,7 +93,7 @@ def write_report(
         step("writing the page")
         if formats:
             _write_beside(target.parent, *_along(along, every))
-        return write_whole(target, _curve_page(model, source, along, every))
+        return write_whole(target, _curve_page(model, source, along, every, style))
     drawn: list[tuple[str, dict[str, Future[Image]]]] = []
     facts: list[Facts] = []
     with pool(processes) as workers:
@@ -96,10 +102,14 @@ def write_report(
                 name = f"{patch.name}: " if several else ""
                 found = known.gather(patch, model.unit, thresholds, grid, detailed, lambda what, n=name: step(n + what))
                 facts.append(found)
-                waiting = {one.name: workers.submit(render, one, formats, style) for one in pictures(found, detailed)}
+                waiting = {
+                    one.name: workers.submit(render, one, formats, style)
+                    for one in pictures(found, detailed, style.quantities)
+                }
                 drawn.append((f"patch-{index + 1}", waiting))
             seams = overview(model, joins) if joins is not None else ()
-            drawn.append(("together", {one.name: workers.submit(render, one, formats, style) for one in seams}))
+            shared = [*seams, *((deviation.picture(beside),) if beside is not None else ())]
+            drawn.append(("together", {one.name: workers.submit(render, one, formats, style) for one in shared}))
             images: list[dict[str, Image]] = []
             for _, waiting in drawn:
                 images.append({})
@@ -120,7 +130,9 @@ def write_report(
         points = {one.anchor if many else "": one.facts.points for one in chapters}
         _write_beside(target.parent, shown | {"together": tuple(images[-1].values())}, points)
         _write_beside(target.parent, *_along(along, ()))
-    return write_whole(target, _page(model, source, chapters, images[-1], joins, grid, thresholds, along))
+    return write_whole(
+        target, _page(model, source, chapters, images[-1], joins, grid, thresholds, along, style, beside)
+    )
 
 
 def _along(
@@ -168,6 +180,8 @@ def _page(
     grid: int,
     thresholds: Thresholds,
     along: tuple[curves.CurveChapter, ...],
+    style: Style,
+    beside: Beside | None,
 ) -> str:
     live = len(source) <= _LARGEST_VIEW
     return (
@@ -179,7 +193,10 @@ def _page(
             curves=along,
             surfaces=True,
             together=together,
+            style=style,
             joins=joins,
+            beside=beside,
+            beside_image=together.get("deviation"),
             grid=grid,
             thresholds=thresholds,
             version=__version__,
@@ -200,6 +217,7 @@ def _curve_page(
     source: str,
     along: tuple[curves.CurveChapter, ...],
     every: tuple[tuple[str, Image], ...],
+    style: Style,
 ) -> str:
     """Return the page of a model of curves alone."""
     page = _environment().get_template("curve_page.html.j2")
@@ -207,6 +225,7 @@ def _curve_page(
         model=model,
         curves=along,
         all_curves=every,
+        style=style,
         bases=curves.bases_of(model.curves),
         source=source if len(source) <= _LONGEST else "",
         version=__version__,
@@ -233,6 +252,7 @@ def _environment() -> Environment:
     functions: dict[str, Any] = {
         "kinds": kinds,
         "tables": tables,
+        "deviation": deviation,
         "findings": findings,
         "methods": methods,
         "umbilic_words": umbilic_words,

@@ -73,11 +73,11 @@ def _overlays(item: Item, style: Style) -> list[Figure]:
 
 
 def _hk_types(_: Item, style: Style) -> list[Figure]:
-    return [style.finish(hk_table(6.4 / style.factor))]
+    return [style.finish(hk_table(style.across(6.4)))]
 
 
 def _shape_index(_: Item, style: Style) -> list[Figure]:
-    return [style.finish(shape_scale(9.0 / style.factor))]
+    return [style.finish(shape_scale(style.across(9.0)))]
 
 
 def _construction(item: Item, style: Style) -> list[Figure]:
@@ -130,11 +130,17 @@ def _marked(item: Item, style: Style) -> list[Figure]:
 
 
 def _triptych(item: Item, style: Style) -> list[Figure]:
-    return [panels(_shaped(item), unit=model(item.models[0]).unit, scene=_PLAIN, style=style)]
+    return [panels(_shaped(item), _keys(style), _PLAIN, unit=model(item.models[0]).unit, style=style)]
 
 
 def _side_triptych(item: Item, style: Style) -> list[Figure]:
-    return [panels(_shaped(item), unit=model(item.models[0]).unit, scene=replace(_PLAIN, view=SIDE), style=style)]
+    scene = replace(_PLAIN, view=SIDE)
+    return [panels(_shaped(item), _keys(style), scene, unit=model(item.models[0]).unit, style=style)]
+
+
+def _keys(style: Style) -> Sequence[str | None]:
+    """Return what the panels of a triptych show: the thesis's surface, K and H, or what is asked for."""
+    return [None if key == "surface" else key for key in style.quantities or ("surface", "gaussian", "mean")]
 
 
 def _projections(item: Item, style: Style) -> list[Figure]:

@@ -22,7 +22,7 @@ from quintrig.reproduce.tables import PrintedTable, tables
 from quintrig.support.errors import QuintrigError
 from quintrig.support.files import refuse_unwritable, write_whole
 from quintrig.support.processes import pool
-from quintrig.support.progress import Progress
+from quintrig.support.progress import Progress, watched
 
 FORMATS = ("png", "svg", "pdf")
 
@@ -42,6 +42,7 @@ class Built:
     tables: tuple[tuple[PrintedTable, tuple[str, ...]], ...] = ()
 
 
+@watched
 def write_reproduction(
     out: Path,
     *,
@@ -108,7 +109,7 @@ def _build(item: Item, folder: Path, style: Style) -> Built:
         for index, figure in enumerate(figures):
             letter = "abcdefgh"[index] if len(figures) > 1 else ""
             name = f"{item.key}{letter}"
-            content = {form: to_bytes(figure, form, _DPI) for form in FORMATS}
+            content = {form: to_bytes(figure, form, style.dpi or _DPI) for form in FORMATS}
             for form, data in content.items():
                 write_whole(folder / "figures" / f"{name}.{form}", data)
             write_whole(folder / "thumbnails" / f"{name}.png", _thumbnail(content["png"]))

@@ -12,14 +12,20 @@ from quintrig.support.scipy_inside import shortest
 _COARSE, _FINE = 600, 40_000
 _STEPS = 80
 _STILL = 1e-12  # of the size: a step this small is the last
+_FAR = 6.0 * 1.4826  # median distances: farther points are outliers, six standard deviations of Gaussian noise
+_MOST_OUT = 0.2  # of the points: where more lie that far, the target is another shape and all of them count
 
 
 @dataclass(frozen=True, eq=False)
 class Motion:
-    """A rigid motion (4, 4) of the points, the largest way that one of them went, length¹, and its parts in words."""
+    """A rigid motion (4, 4) of the points, the largest way that one of them went, length¹, and its parts in words.
+
+    ``left_out`` is the share of the points that did not count as outliers, from 0 to 1.
+    """
 
     matrix: FloatArray
     largest: float
+    left_out: float = 0.0
 
     @property
     def angle(self) -> float:
@@ -41,6 +47,7 @@ class Motion:
             "axis": self.axis.tolist(),
             "translation": self.matrix[:3, 3].tolist(),
             "largest": self.largest,
+            "left_out": self.left_out,
         }
 
 
@@ -48,15 +55,31 @@ def aligned_to(finder: Finder, points: FloatArray) -> Motion:
     """Return the motion that brings points (n, 3), length¹, nearest to surfaces, in the sense of least squares.
 
     It starts from where the points are and from their principal axes laid on those of the surfaces, and takes the best.
-    What slides along the surface without a difference, such as a turn of a sphere, is left as it is.
+    What slides along the surface without a difference, such as a turn of a sphere, is left as it is. Outliers do not
+    count: points farther than six standard deviations of the others. Raises ValueError for points on one line.
     """
-    few = _thinned(points, _COARSE)
+    if len(points) < 3 or np.linalg.matrix_rank(points - points.mean(axis=0), rtol=1e-9) < 2:
+        raise ValueError("align: expected at least three points that are not on one line; leave out the alignment")
+    few, fine = _thinned(points, _COARSE), _thinned(points, _FINE)
     size = max(surface.size for surface in finder.surfaces)
     tried = [_refined(finder, few, start, size, 40) for start in _starts(finder, points)]
-    best = min(tried, key=lambda one: one[1])[0]
-    matrix, _ = _refined(finder, _thinned(points, _FINE), best, size, _STEPS)
+    matrix, _ = _refined(finder, fine, min(tried, key=lambda one: one[1])[0], size, _STEPS)
+    matrix, left_out = _without_outliers(finder, fine, matrix, size)
     moved = points @ matrix[:3, :3].T + matrix[:3, 3]
-    return Motion(matrix, float(np.linalg.norm(moved - points, axis=1).max()))
+    return Motion(matrix, float(np.linalg.norm(moved - points, axis=1).max()), left_out)
+
+
+def _without_outliers(finder: Finder, points: FloatArray, matrix: FloatArray, size: float) -> tuple[FloatArray, float]:
+    """Refine a motion by the points that are near after it, and return it with the share of the others."""
+    kept = np.ones(len(points), dtype=bool)
+    for _ in range(8):
+        away = np.linalg.norm(finder.feet(points @ matrix[:3, :3].T + matrix[:3, 3]).away, axis=1)
+        near = away <= max(_FAR * float(np.median(away)), 1e-9 * size)
+        if np.array_equal(near, kept) or near.mean() < 1.0 - _MOST_OUT:
+            break
+        kept = near
+        matrix, _ = _refined(finder, points[kept], matrix, size, _STEPS)
+    return matrix, 1.0 - float(kept.mean())
 
 
 def _thinned(points: FloatArray, most: int) -> FloatArray:
@@ -71,7 +94,7 @@ def _refined(
     for _ in range(steps):
         moved = points @ matrix[:3, :3].T + matrix[:3, 3]
         feet = finder.feet(moved)
-        gap = float(np.sqrt((feet.away**2).sum(axis=1).mean()))
+        gap = float(np.linalg.norm(feet.away, axis=1).mean())  # not squared: few outliers do not decide
         step = _step(moved, feet)
         matrix = step @ matrix
         if np.abs(moved @ step[:3, :3].T + step[:3, 3] - moved).max() <= _STILL * size:

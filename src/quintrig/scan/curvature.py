@@ -5,15 +5,17 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from quintrig.quantities.classify import POINT_TYPES, SHAPE_BREAKS, SHAPE_CLASSES
 from quintrig.quantities.table import quantity
 from quintrig.scan import jets_jit
+from quintrig.scan.deviation import Target, target_of
 from quintrig.scan.nearest import in_threads
 from quintrig.scan.orient import planes, rim, sides
-from quintrig.scan.scan import Scan, scan_of
+from quintrig.scan.scan import Scan
 from quintrig.support.arrays import BoolArray, FloatArray
+from quintrig.support.display import Shown
 from quintrig.support.scipy_inside import tree_of
 
 VALUES = ("gaussian", "mean", "k1", "k2", "shape_index", "curvedness")
@@ -38,7 +40,7 @@ _SURE = 2.0
 
 
 @dataclass(frozen=True, eq=False)
-class ScanCurvature:
+class ScanCurvature(Shown):
     """Curvatures at the points of a scan, ``values`` by the keys of the table of quantities, ``errors`` by those too.
 
     An error is about what 95 of 100 values are nearer to the truth than: from the scatter of the neighbours, and from
@@ -70,16 +72,14 @@ class ScanCurvature:
         return f"<Curvature of {points:,} points: degree {self.degree}, {self.neighbours} neighbours>"
 
 
-def scan_curvature(
-    scan: Scan | ArrayLike, *, degree: int | None = None, neighbours: int | None = None
-) -> ScanCurvature:
+def scan_curvature(scan: Target, *, degree: int | None = None, neighbours: int | None = None) -> ScanCurvature:
     """Return curvatures of a scan's points, by polynomials of ``degree`` over so many ``neighbours`` of each.
 
     Both are chosen where none are given, for the smallest errors on a sample: more neighbours the more the points
     scatter. With degree d values converge with the (d - 1)th power of the distance of the points (Cazals and Pouget
     2005). Raises ValueError for fewer than 10 points in space, and for too few neighbours for the degree.
     """
-    found = scan if isinstance(scan, Scan) else scan_of(scan)
+    found = target_of(scan)
     if found.points.shape[1] != 3 or len(found.points) < 10:
         raise ValueError(f"points: expected at least 10 in space for curvature, found {len(found.points)}")
     if degree is not None and not 2 <= degree <= _HIGHEST:

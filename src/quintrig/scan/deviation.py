@@ -26,6 +26,7 @@ SIGN = "positive where the target lies on the side that the model's normal point
 
 Subject = Model | Patch | Surface | Sequence[Surface]
 Target = Scan | Model | Patch | Surface | str | Path | ArrayLike
+"""Besides, what other tools hold: ``from_pyvista``, ``from_trimesh``, ``from_compas``, ``from_build123d`` say what."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -139,16 +140,17 @@ def deviation(
 ) -> Deviation:
     """Return the signed orthogonal distance of every point of a target from a model's surfaces.
 
-    ``target`` is a ``Scan``, points (n, 3) or normals besides, a file that ``read_scan`` or ``open_model`` reads, or
-    another model or surface, which is then sampled. ``unit`` is the target's unit of length where it says none.
-    ``tolerance``, length¹, gives the share within it. ``align`` moves the target onto the model first. With ``source``
-    "model" the distances are those of 65 x 65 points a patch from the target's triangles or surfaces. Raises
-    ValueError, ModelError or QuintrigError in one line.
+    ``target`` is a ``Scan``, points (n, 3) or normals besides, a file that ``read_scan`` or ``open_model`` reads, a
+    mesh or points of PyVista, trimesh or COMPAS, or another model, surface or shape of build123d, which is then
+    sampled. ``unit`` is the target's unit of length where it says none. ``tolerance``, length¹, gives the share within
+    it. ``align`` moves the target onto the model first. With ``source`` "model" the distances are those of 65 x 65
+    points a patch from the target's triangles or surfaces. Raises ValueError, ModelError or QuintrigError in one line.
     """
     if tolerance is not None and not number(tolerance, "tolerance") > 0.0:
         raise ValueError(f"tolerance: expected a length greater than 0, found {tolerance:g}")
     surfaces, names, length = _surfaces(model)
     finder = Finder(surfaces)
+    target = own(target)
     scan = target_of(target, unit).in_unit(length)
     if scan.points.shape[1] != 3:
         raise ValueError("target: expected points in space, three numbers each, found two")
@@ -168,8 +170,17 @@ def deviation(
     )
 
 
+def own(target: Target) -> Target:
+    """Return what another tool holds as a scan or a model, and everything else as it is."""
+    if isinstance(target, (Scan, Model, Patch, Surface, str, Path)):
+        return target
+    found: Scan | Model | None = call("foreign", target)
+    return target if found is None else found
+
+
 def target_of(target: Target, unit: str = "") -> Scan:
     """Return any target as a scan; see ``deviation``."""
+    target = own(target)
     if isinstance(target, Scan):
         return replace(target, unit=unit) if unit else target
     if isinstance(target, (str, Path)):

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from quintrig.support.arrays import LARGEST, BoolArray, FloatArray, locked
+from quintrig.support.display import Shown
 from quintrig.support.errors import nearest
 
 MILLIMETRES = {"um": 1e-3, "mm": 1.0, "cm": 10.0, "m": 1e3, "km": 1e6, "in": 25.4, "ft": 304.8}
@@ -15,11 +16,12 @@ Triangles = NDArray[np.int64]
 
 
 @dataclass(frozen=True, eq=False)
-class Scan:
+class Scan(Shown):
     """Points (n, 2 or 3), length¹; unit ``normals`` (n, 3), ``triangles`` (m, 3) and ``weights`` (n,) where known.
 
     ``notes`` tell what was left out when it was read. ``parameters`` (n, 2), from 0 to 1, are those of points taken
-    from one surface, which are exact and so not ``noisy``. ``outline`` is true of the points of an aerofoil.
+    from one surface, which are exact and so not ``noisy``, or of the nodes of a grid. ``outline`` is true of the points
+    of an aerofoil.
     """
 
     points: FloatArray

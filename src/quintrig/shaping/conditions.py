@@ -12,7 +12,7 @@ from quintrig.shaping.demands import Demand
 from quintrig.shaping.energies import nodes
 from quintrig.shaping.forms import forms, pulled_back
 from quintrig.shaping.unknowns import INDICES, State
-from quintrig.support.arrays import FloatArray
+from quintrig.support.arrays import BoolArray, FloatArray
 
 GRID = 65
 """Points each way at which demands on all of a surface are looked at."""
@@ -23,6 +23,7 @@ MARGIN = 1e-6
 _NODES = 24  # of Gauss on a span: integrals of a design need no more than the search does
 _FEW = 7  # points each way that the search sees from the start
 _COARSE = 17  # points each way at which a surface is kept from folding
+_NONE = 1e-20  # of the largest |S_u x S_v|²: no tangent plane
 _LEFT = 0.04  # of |S_u x S_v|² is to be left
 
 
@@ -68,11 +69,15 @@ def grid_points(count: int = GRID) -> tuple[FloatArray, FloatArray]:
 
 @dataclass(eq=False)
 class OnSurface:
-    """A demand at every point, seen at ``seen`` (k,), numbers of points of the grid."""
+    """A demand at every point, seen at ``seen`` (k,), numbers of points of the grid.
+
+    ``defined`` tells at which points of the grid a patch has a tangent plane: not at a pole.
+    """
 
     demand: Demand
     size: float
     seen: NDArray[np.int64]
+    defined: BoolArray
     equal: bool = False
 
     @property
@@ -90,12 +95,16 @@ class OnSurface:
         partials = state.partials(*grid_points())
         with np.errstate(invalid="ignore"):
             found = self.demand.slack(partials, state.surface.sign, self.size).min(axis=0)
-        return np.where(np.isnan(found), -1e6, found), self.demand.measured(partials, state.surface.sign)
+        found = np.where(self.defined, np.where(np.isnan(found), -1e6, found), np.inf)
+        return found, self.demand.measured(partials, state.surface.sign)
 
     def worst(self, state: State) -> Worst:
         """Return the least slack on the grid, and the quantity there."""
         slack, values = self._slack(state)
-        index = int((slack if np.ptp(slack) > 0 else self.demand.sign * values).argmin())
+        if np.ptp(slack[self.defined]) > 0.0:
+            index = int(slack.argmin())
+        else:
+            index = int(np.where(self.defined, self.demand.sign * values, np.inf).argmin())
         u, v = grid_points()
         return Worst(float(slack[index]), float(values[index]), float(u[index]), float(v[index]))
 
@@ -117,7 +126,18 @@ class OnSurface:
 def on_surface(demand: Demand, surface: Surface) -> OnSurface:
     """Return a demand at every point, seen at 7 x 7 points at first."""
     t = np.rint(np.linspace(0, GRID - 1, _FEW)).astype(np.int64)
-    return OnSurface(demand, surface.size, (t[:, None] * GRID + t).ravel())
+    seen = (t[:, None] * GRID + t).ravel()
+    area2 = _area2(surface, GRID)
+    defined = area2 > _NONE * area2.max()
+    if not defined.any():
+        raise ValueError(f"demands: {demand.text[:60]!r}: expected a surface, found none with a tangent plane")
+    return OnSurface(demand, surface.size, seen[defined[seen]], defined)
+
+
+def _area2(surface: Surface, count: int) -> FloatArray:
+    """Return |S_u x S_v|² on a grid, length⁴."""
+    p = surface.local_partials(*grid_points(count), 1)
+    return (np.cross(p[1, 0], p[0, 1]) ** 2).sum(axis=-1)
 
 
 @dataclass(eq=False)
@@ -248,7 +268,6 @@ class Regular:
 
 def regular(surface: Surface) -> Regular | None:
     """Return what keeps a surface from folding; None where it stands still somewhere as it is given."""
-    p = surface.local_partials(*grid_points(_COARSE), 1)
-    area2 = (np.cross(p[1, 0], p[0, 1]) ** 2).sum(axis=-1)
+    area2 = _area2(surface, _COARSE)
     seen = (np.arange(0, _COARSE, 4)[:, None] * _COARSE + np.arange(0, _COARSE, 4)).ravel()
     return Regular(area2, seen) if area2.min() > 1e-6 * area2.mean() else None

@@ -10,22 +10,21 @@ import numpy as np
 
 from quintrig.model.model import Model
 from quintrig.model.patch import Patch
-from quintrig.model.reading import read_net
 from quintrig.multipatch.attach import attach
-from quintrig.shaping.conditions import Condition, Integral, InTotal, integral, on_surface, regular
+from quintrig.shaping.asked import conditions_of, objective_of
+from quintrig.shaping.conditions import Condition, regular
 from quintrig.shaping.energies import ENERGIES, measured
-from quintrig.shaping.goals import Goals, Target, read_goals
+from quintrig.shaping.goals import Goals, read_goals
 from quintrig.shaping.holds import ORDERS, Hold, usual
 from quintrig.shaping.kept import Log
 from quintrig.shaping.outcomes import Outcome, outcome
-from quintrig.shaping.places import Near, Passing, TangentPlane, Twist, near, near_given
+from quintrig.shaping.places import Near
 from quintrig.shaping.problem import Problem, search_basis
 from quintrig.shaping.search import Found, Search, contradiction, met
 from quintrig.shaping.unknowns import Unknowns, unknowns
 from quintrig.support.arrays import FloatArray
 from quintrig.support.errors import ModelError
-from quintrig.support.late import call
-from quintrig.support.progress import Progress
+from quintrig.support.progress import Progress, watched
 
 _FAR = 0.25  # of each range a start is away from the given design, at random
 
@@ -76,6 +75,7 @@ class Design:
         }
 
 
+@watched
 def design(
     goals: str | Path | Mapping[str, Any],
     *,
@@ -97,9 +97,9 @@ def design(
     model, holds, notes = _joined(read)
     patch = model.patch(read.patch)
     space = unknowns(patch, read.ranges, read.points, read.only, holds)
-    conditions = _conditions(read, patch)
+    conditions = conditions_of(read, patch)
     whole = regular(patch.surface) if read.points is not None else None
-    objective, scale = _objective(read, patch, conditions)
+    objective, scale = objective_of(read, patch)
     always = [whole] if whole else []
     basis = search_basis(space, read.minimise in ENERGIES)
     problem = Problem(space, objective, [*conditions, *always], basis, scale)
@@ -207,87 +207,6 @@ def _joined(goals: Goals) -> tuple[Model, list[Hold], list[str]]:
         order = max([order, *(one.order for one in held if one.place == place)])
         held = [*(one for one in held if one.place != place), Hold(place, order)]
     return model, held, notes
-
-
-def _conditions(goals: Goals, patch: Patch) -> list[Condition]:
-    size = patch.surface.size
-    found: list[Condition] = []
-    targets = [(_points(one, goals), one, index) for index, one in enumerate(goals.targets, 1)]
-    for one in goals.demands:
-        if one.key == "deviation":
-            within = max(one.bound, 1e-9 * size)
-            if targets:
-                cloud = np.concatenate([points for points, _, _ in targets])
-                found.append(near(one.text, cloud, within, patch.surface))
-            else:
-                found.append(near_given(one.text, within, patch.surface))
-        elif one.total:
-            value = integral(one.key, patch.surface)
-            now = abs(measured(patch.surface, one.key)) if one.key in ENERGIES else size ** {"area": 2}.get(one.key, 3)
-            scale = max(now if np.isfinite(now) else 1.0, abs(one.bound), np.finfo(float).tiny)
-            found.append(InTotal(one, value, scale))
-        else:
-            found.append(on_surface(one, patch.surface))
-    for points, one, index in targets:
-        if one.within is not None:
-            name = f"target {index} {one.file or ''}".strip()
-            found.append(near(f"{name} within {one.within:g}", points, one.within, patch.surface))
-    for index, one in enumerate(goals.through, 1):
-        at = None if one.u is None or one.v is None else (one.u, one.v)
-        name = f"through {index} ({', '.join(f'{x:g}' for x in one.point)})"
-        found.append(Passing(name, np.array(one.point, dtype=np.float64), at, size))
-    for index, one in enumerate(goals.tangent, 1):
-        normal = np.array(one.normal, dtype=np.float64)
-        found.append(TangentPlane(f"tangent {index}", (one.u, one.v), normal / np.linalg.norm(normal)))
-    if goals.developable is not None:
-        if not _ruled(patch):
-            raise ModelError(
-                f'developable: patch "{patch.name}" has no straight lines u = const, along which normals turn; take a '
-                "ruled patch, or demand gaussian within a range"
-            )
-        found.append(Twist(f"developable within {goals.developable:g}°", goals.developable))
-    return found
-
-
-def _ruled(patch: Patch) -> bool:
-    t = np.linspace(0.0, 1.0, 9)
-    lines = patch.surface(t[:, None], t)
-    middle = lines[:, :1] + t[:, None] * (lines[:, -1:] - lines[:, :1])
-    return bool(np.abs(lines - middle).max() <= 1e-9 * patch.surface.size)
-
-
-def _points(one: Target, goals: Goals) -> FloatArray:
-    """Return a target's points in the model's unit."""
-    unit = one.unit or goals.model.unit
-    if one.file is None:
-        points = np.array(one.points or [], dtype=np.float64)
-    else:
-        path = goals.folder / one.file
-        try:
-            points: FloatArray = np.asarray(call("open_target", path, unit).points, dtype=np.float64)
-        except KeyError:  # without the readers of scans: tables alone
-            points = np.array([row[:3] for row in read_net(path)], dtype=np.float64)
-    if points.ndim != 2 or points.shape[1] != 3 or len(points) < 1 or not np.isfinite(points).all():
-        raise ModelError(f"target {one.file or ''}: expected points [x, y, z], found none such")
-    return points
-
-
-def _objective(goals: Goals, patch: Patch, conditions: Sequence[Condition]) -> tuple[Integral | Near | None, float]:
-    surface = patch.surface
-    if goals.minimise == "none":
-        return None, 1.0
-    if goals.minimise == "deviation":
-        if goals.targets:
-            cloud = np.concatenate([_points(one, goals) for one in goals.targets])
-            found = near("deviation", cloud, surface.size, surface)
-        else:
-            found = near_given("deviation", surface.size, surface)
-            found.seen = np.arange(len(found.points))
-        return found, 0.01 * surface.size
-    what = integral(goals.minimise, surface)
-    now = measured(surface, goals.minimise) if goals.minimise in ENERGIES else surface.size**2
-    floor = {"bending": 1e-3}.get(goals.minimise, 1e-6 * surface.size**2)
-    return what, max(now, floor) if np.isfinite(now) else floor
 
 
 # ---------------------------------------------------------------------------------------------------- what came out

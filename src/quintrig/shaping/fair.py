@@ -13,10 +13,11 @@ import numpy as np
 from quintrig.geometry.surface import Surface
 from quintrig.model.model import Model
 from quintrig.model.patch import Patch
+from quintrig.shaping.coordinates import chosen_by
 from quintrig.shaping.derivatives import Affine, affine
 from quintrig.shaping.energies import ENERGIES, Energy, Quadratic, energy, known, measured, quadratic
 from quintrig.shaping.fairing import BETWEEN, Fairing, fairest_near
-from quintrig.shaping.holds import Hold, free_directions, held_at, hold, usual
+from quintrig.shaping.holds import Hold, free_directions, held_at, hold, kept_directions, usual
 from quintrig.support.arrays import FloatArray
 from quintrig.support.errors import ModelError
 
@@ -34,14 +35,17 @@ def fair(
     vary: Vary = "net",
     hold: Sequence[str] | None = None,
     within: float | None = None,
+    only: Sequence[str] = (),
 ) -> Fairing:
     """Return the model with one patch made fairer: least ``energy`` with what is held held, nowhere raised.
 
     ``energy`` is thin_plate, bending or variation. ``vary`` says what may change: the net, the shape parameters (within
     their ranges), or both. ``hold`` lists sides and points that stay, to an order: ``"u0"``, ``"v1:G2"``,
     ``"0.5,0.5:G1"``; by default seams with neighbours to the order they have, and all four sides where the net alone
-    varies. ``within`` bounds the deviation, length¹; it may be left out where the shape alone varies or all sides are
-    held. Raises ModelError for a patch whose net is not free, ValueError for words that are none, and where nothing is
+    varies. ``within`` bounds the deviation, length¹; it may be left out where the shape alone varies, all sides are
+    held, or points are named. ``only`` names the control points or coordinates that move, such as ``points[2][3]`` or
+    ``section[1].z``; sides without neighbours are free then.
+    Raises ModelError for a patch whose net is not free, ValueError for words that are none, and where nothing is
     left to vary.
     """
     if isinstance(model, Surface):
@@ -54,8 +58,11 @@ def fair(
     first = model.patch(patch)
     if first.surface.trim:
         raise ModelError(f'patch "{first.name}": a trimmed face is not made fairer; take its whole surface')
-    holds = usual(model, first.name, edges=vary == "net") if hold is None else _read(hold)
-    found, notes = _fairest(first, name, vary, holds, within)
+    if only and vary == "shape":
+        raise ValueError("only: names control points, which stay where the shape alone varies; vary the net")
+    named = (only,) if isinstance(only, str) else tuple(only)
+    holds = _usual(model, first.name, vary, bool(named)) if hold is None else _read(hold)
+    found, notes = _fairest(first, name, vary, holds, within, named)
     start, end = _energies(first), _energies(found)
     return Fairing(
         model.with_patch(found), first.name, name, start, end, deviation(first, found), tuple(map(str, holds)), notes
@@ -69,6 +76,12 @@ def deviation(first: Patch, second: Patch) -> float:
     return float(np.sqrt((apart**2).sum(axis=-1)).max())
 
 
+def _usual(model: Model, patch: str, vary: Vary, named: bool) -> tuple[Hold, ...]:
+    """Return what is held if nothing is said; the seams alone where points are named."""
+    holds = usual(model, patch, edges=vary == "net" and not named)
+    return tuple(one for one in holds if isinstance(one.place, str)) if named else holds
+
+
 def _read(texts: Sequence[str]) -> tuple[Hold, ...]:
     return tuple(hold(text) for text in ([texts] if isinstance(texts, str) else texts))
 
@@ -78,7 +91,7 @@ def _energies(patch: Patch) -> dict[str, float]:
 
 
 def _fairest(
-    first: Patch, name: str, vary: Vary, holds: Sequence[Hold], within: float | None
+    first: Patch, name: str, vary: Vary, holds: Sequence[Hold], within: float | None, only: Sequence[str]
 ) -> tuple[Patch, tuple[str, ...]]:
     """Return the fairest patch, and what to tell."""
 
@@ -87,10 +100,10 @@ def _fairest(
 
     if vary != "shape":
         _ = affine(first)  # refuses what has no net
-        if within is None and sum(isinstance(one.place, str) for one in holds) < 4:
+        if within is None and not only and sum(isinstance(one.place, str) for one in holds) < 4:
             raise ValueError("within: expected a largest deviation where not all four sides are held; give one")
     if vary == "net":
-        return _by_net(first, first, name, holds, near)
+        return _by_net(first, first, name, holds, near, only)
     free = _free_shape(first, holds)
     if not free and vary == "shape":
         raise ValueError(
@@ -103,7 +116,7 @@ def _fairest(
     best, least = first, _value(first, name)
     for _ in range(_ROUNDS):
         turned = _by_shape(best, name, free, near) if free else best
-        turned, _ = _by_net(first, turned, name, holds, near)
+        turned, _ = _by_net(first, turned, name, holds, near, only)
         reached = _value(turned, name)
         if not reached < least:
             break
@@ -121,11 +134,16 @@ def _value(patch: Patch, name: str) -> float:
 
 
 def _by_net(
-    first: Patch, start: Patch, name: str, holds: Sequence[Hold], near: Callable[[Patch], bool]
+    first: Patch,
+    start: Patch,
+    name: str,
+    holds: Sequence[Hold],
+    near: Callable[[Patch], bool],
+    only: Sequence[str],
 ) -> tuple[Patch, tuple[str, ...]]:
     """Return the patch of least energy by its net, no farther from ``first`` than allowed."""
     of = affine(start)
-    directions = free_directions(of, holds)
+    directions = _directions(of, holds, only)
     if not directions.shape[1]:
         raise ValueError(f'patch "{first.name}": what is held leaves no control point free; hold fewer sides')
     what, mass = energy(name, of), quadratic(of, 0)
@@ -137,6 +155,17 @@ def _by_net(
     if not (near(found) and _value(found, name) < least):
         return start, ("nothing fairer is within what is held and allowed",)
     return found, ()
+
+
+def _directions(of: Affine, holds: Sequence[Hold], only: Sequence[str]) -> FloatArray:
+    """Return a basis (p, q) of the changes of free coordinates, or of those named, that keep what is held."""
+    if not only:
+        return free_directions(of, holds)
+    chosen = chosen_by(of.patch, only)
+    kept = kept_directions(of, holds, chosen)
+    result: FloatArray = np.zeros((len(of.values), kept.shape[1]))
+    result[chosen] = kept
+    return result
 
 
 def _path(

@@ -1,5 +1,6 @@
 """``fair`` of a curve: the smoothest curve near a given one, by its control points."""
 
+import re
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from importlib import import_module
@@ -23,23 +24,28 @@ def fair_curve(
     energy: str = "thin_plate",
     hold: Sequence[str] | None = None,
     within: float | None = None,
+    only: Sequence[str] = (),
 ) -> Fairing:
     """Return the model with one curve made fairer by its control points: least ``energy`` with what is held held.
 
     ``hold`` lists parameters that stay, to an order: ``"0"``, ``"1:G2"``, ``"0.5"``; both ends to G1 if left out.
-    ``within`` bounds the deviation, length¹. Raises ValueError for words that are none and where nothing is left.
+    ``within`` bounds the deviation, length¹. ``only`` names the control points that move, such as ``points[2]``; the
+    ends are free then. Raises ValueError for words that are none and where nothing is left.
     """
     named, name = model.curve(curve), known(energy)
     if within is not None and not 0.0 < within < np.inf:
         raise ValueError(f"within: expected a length greater than 0, found {within:g}")
     if named.definition.flip:
         raise ModelError(f'curve "{named.name}": expected one that is not flipped; write its points the other way')
-    texts = ("0:G1", "1:G1") if hold is None else tuple([hold] if isinstance(hold, str) else hold)
+    ends = () if only else ("0:G1", "1:G1")
+    texts = ends if hold is None else tuple([hold] if isinstance(hold, str) else hold)
     family, points = named.curve.functions, named.curve.points
     rows = [family.derivatives(np.array(t), order) for t, order in map(_held, texts)]
     if named.definition.close:
-        ends = family.derivatives(np.array([0.0, 1.0]), 0)[0]
-        rows.append(ends[:1] - ends[1:])
+        first, last = family.derivatives(np.array([0.0, 1.0]), 0)[0]
+        rows.append((first - last)[None])
+    if only:
+        rows.append(np.delete(np.eye(len(points)), _moving(only, len(named.definition.points)), axis=0))
     stacked = np.concatenate([*rows, np.zeros((0, len(points)))])
     _, sizes, vectors = np.linalg.svd(stacked / (np.abs(stacked).max(initial=0.0) or 1.0))
     free: FloatArray = vectors[int((sizes > 1e-10).sum()) :].T
@@ -74,6 +80,17 @@ def _with_points(named: NamedCurve, points: FloatArray) -> NamedCurve:
     dump = named.definition.model_dump(exclude_defaults=True)
     kept = points[:-1] if named.definition.close else points
     return curve_of({**dump, "kind": "curve", "points": kept.tolist()}, named.name, None)
+
+
+def _moving(only: Sequence[str], count: int) -> list[int]:
+    """Return the numbers of the control points that texts name."""
+    found: list[int] = []
+    for text in [only] if isinstance(only, str) else only:
+        part = re.fullmatch(r"\s*points\[(\d{1,6})\]\s*", text)
+        if part is None or int(part[1]) >= count:
+            raise ValueError(f"only: expected control points such as points[1], up to {count - 1}, found {text[:60]!r}")
+        found.append(int(part[1]))
+    return found
 
 
 def _held(text: str) -> tuple[float, int]:

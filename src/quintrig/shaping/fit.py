@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import chain
 from typing import Any, Literal
 
 import numpy as np
@@ -14,12 +15,14 @@ from quintrig.scan.nearest import Finder
 from quintrig.scan.scan import Scan
 from quintrig.shaping.fitting import curves, solve
 from quintrig.shaping.fitting.forms import KINDS, Form, form_of
+from quintrig.shaping.fitting.intervals import intervals
 from quintrig.shaping.fitting.mirror import mirror_of
 from quintrig.shaping.fitting.primitives import PRIMITIVES, fit_primitive
 from quintrig.shaping.fitting.result import Fit, ShapeValue
 from quintrig.shaping.fitting.start import border, parametrisations
 from quintrig.support.arrays import BoolArray, FloatArray, frozen, number
 from quintrig.support.errors import nearest
+from quintrig.support.progress import Progress, watched
 from quintrig.support.scipy_inside import tree_of
 
 ALL_KINDS = (*KINDS, *PRIMITIVES, "curve")
@@ -31,9 +34,12 @@ _GRIDS = ((1, 1), (2, 2), (3, 3), (4, 4), (6, 6), (8, 8))
 _FIRST, _MAIN, _LAST = 1200, 6000, 200_000
 """Points by which the start is chosen, by which it is refined, and at the end."""
 
+_PROFILE = 3000  # points by which it is tried how far a shape parameter may go
+
 _ENERGY = 1e-9  # of the size: a spread below this is a line or a point
 
 
+@watched
 def fit(
     target: Target,
     kind: str = "tensor",
@@ -51,6 +57,7 @@ def fit(
     weights: ArrayLike | None = None,
     unit: str = "",
     name: str = "fit",
+    progress: Progress | None = None,
 ) -> Fit:
     """Return a model of this kind whose surface is nearest to points in the sense of least squares.
 
@@ -60,7 +67,8 @@ def fit(
     without them a ``tolerance``, length¹, may take as many as 8 x 8. ``boundary`` "curves" draws the edges to the
     border of the points, curves hold them there. ``smooth`` weighs thin-plate energy against the distances. Points
     farther than 6 standard deviations do not count where ``robust``, as it is for scans. ``mirror`` (a, b, c, d) is the
-    plane of a symmetric surface, found where none is given. Raises ValueError, ModelError or QuintrigError in one line.
+    plane of a symmetric surface, found where none is given. ``progress`` is told of the rounds of a fit of a surface.
+    Raises ValueError, ModelError or QuintrigError in one line.
     """
     if kind not in ALL_KINDS:
         raise ValueError(f"kind: expected one of {', '.join(ALL_KINDS)}, got {kind!r}{nearest(kind, ALL_KINDS)}")
@@ -83,7 +91,7 @@ def fit(
     if kind in PRIMITIVES:
         return _primitive(kind, scan, trusted, tolerance, name)
     plane = _mirror(kind, mirror, scan)
-    work = _Work(scan, kind, basis, shape, size, join, boundary, smooth, tolerance, trusted, plane, name)
+    work = _Work(scan, kind, basis, shape, size, join, boundary, smooth, tolerance, trusted, plane, name, progress)
     if patches is not None or tolerance is None or kind != "tensor":
         return work.fitted(patches or (1, 1))
     return work.until_within(tolerance)
@@ -106,12 +114,14 @@ class _Work:
         robust: bool,
         mirror: FloatArray | None,
         name: str,
+        progress: Progress | None,
     ) -> None:
         if join not in ("G1", "G2"):
             raise ValueError(f"join: expected G1 or G2, got {join!r}")
         if isinstance(shape, str) and shape not in ("fixed", "free"):
             raise ValueError(f"shape: expected fixed, free or numbers, got {shape!r}")
         self.scan, self.kind, self.basis, self.size, self.name = scan, kind, basis, size, name
+        self.progress = progress
         self.join, self.tolerance, self.mirror = join, tolerance, mirror
         self.free = shape == "free"
         self.values = None if isinstance(shape, str) else frozen(list(shape), "shape", (None,))
@@ -135,7 +145,7 @@ class _Work:
                 raise ValueError(f"boundary: expected free or curves, or a model of curves, got {boundary!r}")
             if boundary == "curves":
                 on = border_points(self.scan, local)
-            return solve.Data(local, weights, on, robust, smooth)
+            return solve.Data(local, weights, on, robust, smooth, self.progress)
         t = np.linspace(0.0, 1.0, 200)
         held = np.concatenate([np.asarray(curve(t), dtype=np.float64) for curve in boundary])
         if held.shape[1] != 3:
@@ -147,6 +157,7 @@ class _Work:
             np.concatenate([on, np.ones(len(held), dtype=np.bool_)]),
             robust,
             smooth,
+            self.progress,
         )
 
     def _form(self, grid: tuple[int, int]) -> Form:
@@ -191,7 +202,7 @@ class _Work:
         own = self.scan.parameters
         ways = parametrisations(self.scan, self.data.points, self.kind, self.mirror)
         if own is not None and len(own) == len(self.data.points):
-            ways = iter([own])
+            ways = chain([own], ways) if self.scan.noisy else iter([own])
         for at in ways:
             state = solve.begun(form, few, at[kept])
             tried.append(solve.refined(form, replace(few, smooth=max(few.smooth, 1e-7)), state, False, 10, 1e-3))
@@ -223,21 +234,20 @@ class _Work:
         model = model_of(dumps, form.grid, self.name, self.scan.unit)
         measured = deviation(model, self.scan, tolerance=self.tolerance)
         kept = inliers(measured.distance) if self.data.robust else np.ones(len(measured), dtype=np.bool_)
-        shape: list[ShapeValue] = []
+        shape: tuple[ShapeValue, ...] = ()
         notes = list(self.scan.notes)
         if self.free and len(state.theta):
-            off, _ = solve.spread(form, self.data.some(_LAST), state)
-            for (label, one), value, std in zip(form.ranges.items(), state.theta.tolist(), off.tolist(), strict=True):
-                low, high = max(one.low, value - 1.96 * std), min(one.high, value + 1.96 * std)
-                shape.append(ShapeValue(label, value, std, low, high))
-                if high - low > 0.5 * (one.high - one.low):
-                    notes.append(f"{label} is poorly determined by these points: 95 % interval {low:.3g} to {high:.3g}")
+            shape = intervals(form, self.data.some(_PROFILE), self.data.some(_LAST), state)
+            for one, limits in zip(shape, form.ranges.values(), strict=True):
+                if one.high - one.low > 0.5 * (limits.high - limits.low):
+                    ends = f"95 % interval {one.low:.3g} to {one.high:.3g}"
+                    notes.append(f"{one.name} is poorly determined by these points: {ends}")
         if len(self.scan.points) * 3 < len(state.q):
             notes.append(f"{len(self.scan.points)} points do not determine {len(state.q)} numbers: the rest is smooth")
         facts: dict[str, Any] = {"grid": list(form.grid), "join": self.join if form.patches > 1 else None}
         if self.kind == "symmetric":
             facts["mirror"] = dumps[0]["mirror"]
-        return Fit(model, self.kind, measured, kept, tuple(shape), self.tolerance, facts, tuple(notes))
+        return Fit(model, self.kind, measured, kept, shape, self.tolerance, facts, tuple(notes))
 
 
 def model_of(dumps: list[dict[str, Any]], grid: tuple[int, int], name: str, unit: str) -> Model:

@@ -33,7 +33,7 @@ def seam_effect(model: Model, name: str, variants: Sequence[Patch], labels: Sequ
         if changed is None:
             rows.append((label, "", "", "refused", np.nan, np.nan, np.nan))
             continue
-        seams: list[Join] = [one for one in changed.joins() if {one.first.patch, one.second.patch} & moving]
+        seams: list[Join] = list(changed.joins(of=moving))
         rows += [
             (label, str(one.first), str(one.second), one.order, one.gap.most, one.angle.most, one.curvature.most)
             for one in seams

@@ -143,8 +143,8 @@ def _check(patch: Patch | NamedCurve) -> None:
     """Refuse a patch on which shape parameters do not act."""
     if patch.definition.classical:
         raise ModelError(
-            f'patch "{patch.name}": basis: expected "trigonometric" or another, '
-            'got "bernstein", which has no shape parameters'
+            f'patch "{patch.name}": a {patch.kind} in the Bernstein basis has no shape parameters to vary; take '
+            'another basis, such as basis = "trigonometric"'
         )
     if not patch.shape:
         where = f"in this basis, a {patch.kind}" if patch.definition.bases_used else f"kind: a {patch.kind}"

@@ -4,7 +4,6 @@ A surface is affine in every coordinate and shape parameter taken alone, so its 
 the net for kinds that have one, by a central difference, which is exact for an affine function, for the rest.
 """
 
-import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -16,10 +15,10 @@ from numpy.typing import NDArray
 from quintrig.geometry.surface import Net, Surface
 from quintrig.model.patch import Patch
 from quintrig.multipatch.nets import handle
+from quintrig.shaping.coordinates import chosen_by, flattened, nets_of
 from quintrig.shaping.derivatives import Affine, affine
 from quintrig.shaping.holds import Hold, held_at, kept_directions
 from quintrig.support.arrays import FloatArray
-from quintrig.support.errors import ModelError, nearest
 
 INDICES = ((0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2), (3, 0), (2, 1), (1, 2), (0, 3))
 """The derivatives that goals look at, as (times by u, times by v)."""
@@ -27,7 +26,6 @@ INDICES = ((0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2), (3, 0), (2, 1), (1, 2
 _COUNTS = (1, 3, 6, 10)  # of them up to each order
 _KEPT = 64  # sets of functions kept
 _SAME = 1e-9  # of the patch's size: a change that moves what is held by less leaves it
-_AXES = {2: ("xy", "rz"), 3: ("xyz",), 4: ("abcd",)}
 
 
 @dataclass(frozen=True)
@@ -164,9 +162,9 @@ class Unknowns:
         keys: dict[str, Any] = {}
         definition = self.patch.definition
         if self.coordinates:
-            flat = _flat(self.patch)
+            flat = flattened(self.patch)
             flat[self.chosen] = values[: self.coordinates]
-            keys |= _nets(self.patch, flat)
+            keys |= nets_of(self.patch, flat)
         named = dict(zip((one.name for one in self.ranges), values[self.coordinates :].tolist(), strict=True))
         if set(named) & set(definition.ranges):
             keys["shape"] = [named.get(name, definition.parameters.get(name, 0.0)) for name in definition.ranges]
@@ -174,7 +172,7 @@ class Unknowns:
 
     def values_of(self, patch: Patch) -> FloatArray:
         """Return the unknowns as another patch of the kind has them."""
-        flat = _flat(patch)[self.chosen] if self.coordinates else np.zeros(0)
+        flat = flattened(patch)[self.chosen] if self.coordinates else np.zeros(0)
         return np.concatenate([flat, [patch.definition.parameters[one.name] for one in self.ranges]])
 
     def built(self, values: FloatArray) -> Patch:
@@ -208,8 +206,8 @@ def unknowns(
     notes: list[str] = []
     net = points is not None
     of = affine(patch) if net and handle(patch) is not None else None
-    chosen = _chosen(patch, only) if net else np.zeros(0, np.int64)
-    flat = _flat(patch)[chosen] if net else np.zeros(0)
+    chosen = chosen_by(patch, only, "vary: only") if net else np.zeros(0, np.int64)
+    flat = flattened(patch)[chosen] if net else np.zeros(0)
     reach = points or 0.0
     named = [one for one in ranges if _leaves(patch, {one.name: one}, holds)]
     notes += [f"{one.name} stays: it moves what is held" for one in ranges if one not in named]
@@ -232,6 +230,14 @@ def unknowns(
     stepped = range(len(chosen) if of is not None else 0, len(start))
     by_steps = tuple((index, _step(first, index)) for index in stepped)
     return Unknowns(patch, of, chosen, tuple(named), directions, low, high, start, by_steps, tuple(notes))
+
+
+def as_it_is(patch: Patch) -> State:
+    """Return a patch of which nothing varies."""
+    none: FloatArray = np.zeros(0)
+    empty: FloatArray = np.zeros((0, 0))
+    space = Unknowns(patch, None, np.zeros(0, np.int64), (), empty, none, none, none, ())
+    return State(space, none, patch)
 
 
 def _step(space: Unknowns, index: int) -> float:
@@ -262,82 +268,6 @@ def _partials(surface: Surface, u: FloatArray, v: FloatArray, order: int) -> Flo
     return result
 
 
-# ------------------------------------------------------------------------------------------------- control points
-
-
-def _arrays(patch: Patch) -> dict[str, FloatArray]:
-    definition = patch.definition
-    names = definition.nets or tuple(key for key in ("points",) if hasattr(definition, key))
-    return {key: np.array(getattr(definition, key), dtype=np.float64) for key in names}
-
-
-def _flat(patch: Patch) -> FloatArray:
-    """Return all coordinates of control points, or planes, in the order of the kind's keys."""
-    arrays = _arrays(patch)
-    if not arrays:
-        raise ModelError(f"vary: points: a {patch.kind} has no control points to vary; vary its {_has(patch)}")
-    return np.concatenate([one.ravel() for one in arrays.values()])
-
-
-def _nets(patch: Patch, flat: FloatArray) -> dict[str, Any]:
-    keys: dict[str, Any] = {}
-    for key, array in _arrays(patch).items():
-        keys[key], flat = flat[: array.size].reshape(array.shape).tolist(), flat[array.size :]
-    return keys
-
-
-def _has(patch: Patch) -> str:
-    return ", ".join(patch.definition.parameters) or "nothing"
-
-
-def _chosen(patch: Patch, only: Sequence[str]) -> NDArray[np.int64]:
-    """Return the indices of the coordinates that ``only`` names, all where it is empty."""
-    total = len(_flat(patch))
-    if not only:
-        return np.arange(total)
-    taken: FloatArray = np.zeros(total)
-    for text in only:
-        taken += _named(patch, text)
-    return np.flatnonzero(taken)
-
-
-def _named(patch: Patch, text: str) -> FloatArray:
-    """Return 1 for the coordinates that a text names, else 0."""
-    arrays = _arrays(patch)
-    example = f"{next(iter(arrays))}[1], {next(iter(arrays))}[1].z or z"
-    wrong = ModelError(f"vary: only: expected control points or coordinates such as {example}, found {text[:60]!r}")
-    found = re.fullmatch(r"\s*(?:([a-z_]+)((?:\[\d+\])*))?(?:\.?([a-z]))?\s*", text)
-    if text.strip() in {letter for words in _AXES.values() for word in words for letter in word}:
-        name, places, axis = None, "", text.strip()
-    elif found is None or found[1] is None:
-        raise wrong
-    else:
-        name, places, axis = found[1], found[2] or "", found[3]
-        if name not in arrays and axis and "." not in text:
-            name, axis = name + axis, None
-        if name not in arrays:
-            raise ModelError(f"vary: only: no control points {name!r}{nearest(name, arrays)}; a {patch.kind} has "
-                             f"{', '.join(arrays)}")  # fmt: skip
-    index = tuple(int(part) for part in re.findall(r"\d+", places))
-    parts: list[FloatArray] = []
-    for key, array in arrays.items():
-        mark = np.zeros_like(array)
-        if name in (None, key):
-            if len(index) > array.ndim - 1 or any(k >= size for k, size in zip(index, array.shape, strict=False)):
-                raise ModelError(f"vary: only: {text!r}: {key} has {' x '.join(map(str, array.shape[:-1]))} of them, "
-                                 "counted from 0")  # fmt: skip
-            mark[index] = 1.0
-            if axis:
-                letters = next((word for word in _AXES[array.shape[-1]] if axis in word), None)
-                if letters is None:
-                    raise wrong
-                kept = mark[..., letters.index(axis)].copy()
-                mark[:] = 0.0
-                mark[..., letters.index(axis)] = kept
-        parts.append(mark.ravel())
-    return np.concatenate(parts)
-
-
 def _leaves(patch: Patch, moved: dict[str, Range], holds: Sequence[Hold]) -> bool:
     """Return whether a parameter leaves what is held where it is."""
     here = patch.definition.parameters
@@ -349,9 +279,9 @@ def _leaves(patch: Patch, moved: dict[str, Range], holds: Sequence[Hold]) -> boo
 
 
 def _coordinate_leaves(patch: Patch, index: int, reach: float, holds: Sequence[Hold]) -> bool:
-    flat = _flat(patch)
+    flat = flattened(patch)
     flat[index] += 0.5 * reach
-    return _same(patch, patch.definition.model_copy(update=_nets(patch, flat)).surface(), holds)
+    return _same(patch, patch.definition.model_copy(update=nets_of(patch, flat)).surface(), holds)
 
 
 def _same(patch: Patch, surface: Surface, holds: Sequence[Hold]) -> bool:

@@ -21,26 +21,25 @@ class Changed(Exception):
     """The file on disk is another one than was read."""
 
 
-def names(folder: Path) -> list[str]:
-    """Return the names of the files in the folder that may be models, hidden ones and links left out."""
-    found = (
-        path for path in folder.iterdir() if path.suffix.lower() in MODEL_SUFFIXES and not path.name.startswith(".")
-    )
+def names(folder: Path, suffixes: tuple[str, ...] = MODEL_SUFFIXES) -> list[str]:
+    """Return the names of the files in the folder that end so, hidden ones and links left out."""
+    found = (path for path in folder.iterdir() if path.suffix.lower() in suffixes and not path.name.startswith("."))
     printable = (path for path in found if path.name.isprintable())  # others cannot be sent as text
     return sorted(path.name for path in printable if path.is_file() and not path.is_symlink())[:_MOST_FILES]
 
 
-def confined(folder: Path, name: str) -> Path:
-    """Return the path of a model file directly in the folder.
+def confined(folder: Path, name: str, suffixes: tuple[str, ...] = MODEL_SUFFIXES) -> Path:
+    """Return the path of a file directly in the folder.
 
-    Raises ModelError for a name that leads elsewhere, is hidden, or does not end in .toml or .json.
+    Raises ModelError for a name that leads elsewhere, is hidden, or does not end as it should.
     """
     path = Path(name)
     plain = name == path.name and "\\" not in name and ":" not in name and name.isprintable()
     if not plain or name.startswith(".") or not 0 < len(name.encode()) <= _LONGEST_NAME:
         raise ModelError(f"{name[:80]!r}: expected the plain name of a file in the folder that the studio is open on")
-    if path.suffix.lower() not in MODEL_SUFFIXES:
-        raise ModelError(f"{name}: expected a name ending in .toml or .json")
+    if path.suffix.lower() not in suffixes:
+        expected = f"{', '.join(suffixes[:-1])} or {suffixes[-1]}"
+        raise ModelError(f"{name}: expected a name ending in {expected}")
     whole = folder / name
     if whole.is_symlink():
         raise ModelError(f"{name}: is a link to another place, which the studio does not follow")

@@ -17,7 +17,7 @@ from starlette.requests import ClientDisconnect, Request
 from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
 
-from quintrig.studio import built, exports, folder, page, proofs
+from quintrig.studio import aims, built, exports, folder, page, proofs
 from quintrig.studio.guard import LARGEST_BODY, App, Guard, TooLarge
 from quintrig.studio.patient import Patient
 from quintrig.support.errors import ModelError, QuintrigError
@@ -126,6 +126,33 @@ def application(where: Site) -> App:
         content = base64.b64encode(made.content).decode()
         return JSONResponse({"name": made.name, "notes": made.notes, "content": content})
 
+    async def targets(_: Request) -> Response:
+        return JSONResponse({"targets": await anyio.to_thread.run_sync(aims.names, where.folder)})
+
+    async def measure(request: Request) -> Response:
+        body = await _body(request, "text", "target", "align")
+        drawn = await anyio.to_thread.run_sync(folder.checked, "model.toml", body["text"])
+        most, tolerance = _number(body, "most"), _number(body, "tolerance")
+        found = await anyio.to_thread.run_sync(
+            aims.beside, where.folder, drawn, body["target"], int(most or 3000), tolerance, bool(body["align"])
+        )
+        return JSONResponse(found)
+
+    async def demands(request: Request) -> Response:
+        body = await _body(request, "text", "patch", "demands", "target")
+        drawn = await anyio.to_thread.run_sync(folder.checked, "model.toml", body["text"])
+        found = await anyio.to_thread.run_sync(
+            aims.lights, where.folder, drawn, body["patch"], body["demands"], body["target"]
+        )
+        return JSONResponse({"lights": found})
+
+    async def fairer(request: Request) -> Response:
+        body = await _body(request, "text", "patch", "only")
+        drawn = await anyio.to_thread.run_sync(folder.checked, "model.toml", body["text"])
+        found = await anyio.to_thread.run_sync(aims.fairer, drawn, body["patch"], body["only"])
+        energies = {"before": found.before["thin_plate"], "after": found.after["thin_plate"]}
+        return JSONResponse({"model": built.for_page(found.model), "notes": found.notes, **energies})
+
     async def prove(request: Request) -> Response:
         body = await _body(request, "text", "claim")
         drawn = await anyio.to_thread.run_sync(folder.checked, "model.toml", body["text"])
@@ -152,6 +179,10 @@ def application(where: Site) -> App:
         Route("/api/build", build, methods=["POST"]),
         Route("/api/formats", formats, methods=["GET", "POST"]),
         Route("/api/export", export, methods=["POST"]),
+        Route("/api/targets", targets),
+        Route("/api/deviation", measure, methods=["POST"]),
+        Route("/api/demands", demands, methods=["POST"]),
+        Route("/api/fair", fairer, methods=["POST"]),
         Route("/api/prove", prove, methods=["POST"]),
     ]
     inner = Starlette(

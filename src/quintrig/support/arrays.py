@@ -100,6 +100,12 @@ def whole(value: SupportsIndex, name: str, least: int) -> int:
     return found
 
 
+def typical(values: FloatArray) -> float:
+    """Return the middle one of finite values, 0 of none: near ``np.median``, which takes masked arrays in with it."""
+    finite = values[np.isfinite(values)]
+    return float(np.partition(finite, finite.size // 2)[finite.size // 2]) if finite.size else 0.0
+
+
 def _numbers(values: ArrayLike, name: str, expected: str) -> NDArray[Any]:
     """Return ``values`` as an array of numbers; ValueError where they are ragged, or something else than numbers."""
     try:

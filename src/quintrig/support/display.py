@@ -9,8 +9,18 @@ Bundle = dict[str, Any] | tuple[dict[str, Any], dict[str, Any]]
 _DRAWERS: list[Callable[[Any], Bundle]] = []
 
 
+class Shown:
+    """What a notebook shows as more than its ``repr``, where it is the value of a cell."""
+
+    __slots__ = ()
+
+    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> Any:
+        """Return the MIME bundle."""
+        return mime_bundle(self)
+
+
 def register(drawer: Callable[[Any], Bundle]) -> None:
-    """Let ``drawer`` make the MIME bundles of surfaces and models from now on."""
+    """Let ``drawer`` make the MIME bundles of values from now on."""
     _DRAWERS.append(drawer)
 
 

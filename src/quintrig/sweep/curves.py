@@ -23,7 +23,7 @@ CURVE_COLUMNS: dict[str, int] = {
 def curve_summary(curve: NamedCurve, design: dict[str, float]) -> FloatArray:
     """Return the columns of one design; NaN where it cannot be built."""
     try:
-        found = summarise_curve(curve.with_parameters(design).curve)
+        found = summarise_curve((curve.with_parameters(design) if design else curve).curve)
     except ModelError:
         return np.full(len(CURVE_COLUMNS), np.nan)
     values = {name: getattr(found, name) for name in CURVE_COLUMNS} | {"inflections": len(found.inflections)}

@@ -1,5 +1,6 @@
 """One part of a sweep: a run of designs and their summaries, computed anywhere from plain data."""
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
@@ -8,6 +9,7 @@ import numpy as np
 
 from quintrig.analysis.edge_layers import layers_at_edges
 from quintrig.analysis.integrate import orientation
+from quintrig.geometry.surface import Surface
 from quintrig.model.model import Model
 from quintrig.model.patch import NamedCurve, Patch
 from quintrig.quantities.classify import Thresholds
@@ -42,21 +44,20 @@ class Task:
             raise ArgumentError(f"expected 4 to {LARGEST_SIDE} a side, got {self.points}", "points")
         check(self.space, self.varied())
 
-    def varied(self) -> Patch | NamedCurve:
-        """Return the patch or curve that is varied; ModelError where there is none of the name."""
+    def varied(self) -> tuple[Patch, ...] | tuple[NamedCurve, ...]:
+        """Return what is varied: all patches, or all curves of a model without any, or the one of the name.
+
+        Raises ModelError where there is none of the name.
+        """
         model = Model.from_dict(self.model)
         if not model.patches or self.patch in [one.name for one in model.curves]:
-            return model.curve(self.patch)
-        return model.patch(self.patch)
-
-    def built(self) -> Patch:
-        """Return the patch that is varied; ModelError where it is a curve."""
-        return Model.from_dict(self.model).patch(self.patch)
+            return model.curves if self.patch is None else (model.curve(self.patch),)
+        return model.patches if self.patch is None else (model.patch(self.patch),)
 
     @cached_property
     def of_curve(self) -> bool:
         """Whether the designs are those of a curve."""
-        return isinstance(self.varied(), NamedCurve)
+        return isinstance(self.varied()[0], NamedCurve)
 
     @property
     def columns(self) -> tuple[str, ...]:
@@ -68,14 +69,15 @@ class Task:
         """What the signs of the columns go by, in words."""
         if self.of_curve:
             return "curvature is positive where a plane curve turns left"
-        return orientation(self.built().surface)
+        found = dict.fromkeys(orientation(one.surface) for one in self.family().varied)
+        return next(iter(found)) if len(found) == 1 else "each patch has a normal of its own"
 
     def unit_of(self, column: str) -> str:
         """Return the unit of a column in text, such as 1/mm²; empty for a pure number or where the model has none."""
         return column_unit(column, str(self.model.get("unit", "")), self.of_curve)
 
     def family(self) -> Family:
-        """Return the patch that is varied with what its joins carry along."""
+        """Return the patches that are varied with what their joins carry along."""
         return Family(Model.from_dict(self.model), self.patch)
 
     def to_dict(self) -> dict[str, Any]:
@@ -96,14 +98,15 @@ def summaries(task: Task, start: int, stop: int) -> FloatArray:
     Each row depends on its design alone, so that parts computed anywhere, in any order, are the same to the last bit.
     """
     designs = task.space.designs(start, stop)
-    varied = task.varied()
-    if isinstance(varied, NamedCurve):
-        rows = [curve_summary(varied, dict(zip(task.space.names, one, strict=True))) for one in designs.tolist()]
+    if task.of_curve:
+        curves = [one for one in task.varied() if isinstance(one, NamedCurve)]
+        rows = [_of_curves(curves, dict(zip(task.space.names, design, strict=True))) for design in designs.tolist()]
         return np.concatenate([designs, np.stack(rows)], axis=1)
     family = task.family()
-    patch = family.patch
-    if family.followers:
-        result = np.stack([_together(task, family, design) for design in designs.tolist()])
+    patch = family.varied[0]
+    if len(family.names) > 1:
+        kept: dict[Surface, FloatArray] = {}
+        result = np.stack([_together(task, family, design, kept) for design in designs.tolist()])
     elif is_affine(patch, task.space):
         measure = affine_measure(patch, task.space, designs, task.thresholds)
         still = amounts_above(weights(patch, task.space, designs), patch.kind == "ruled")
@@ -125,21 +128,31 @@ def _one(task: Task, patch: Patch, design: list[float]) -> FloatArray:
     return true_summaries(single_measure(surface, task.thresholds), widths, task.points, surface)[0]
 
 
-def _together(task: Task, family: Family, design: list[float]) -> FloatArray:
-    """Return the summary of one design of a patch and of all that follow it, taken together."""
+def _together(task: Task, family: Family, design: list[float], kept: dict[Surface, FloatArray]) -> FloatArray:
+    """Return the summary of one design of several patches, taken together; ``kept`` keeps those of what stays."""
     try:
         surfaces = family.surfaces(dict(zip(task.space.names, design, strict=True)))
     except ModelError:  # a design that its joins cannot all meet has none
         result = np.full(len(COLUMNS), np.nan)
-        result[COLUMNS.index("singular")] = task.points**2 * (1 + len(family.followers))
+        result[COLUMNS.index("singular")] = task.points**2 * len(family.names)
         return result
-    rows = [
-        true_summaries(
-            single_measure(surface, task.thresholds), np.array([layers_at_edges(surface)]), task.points, surface
-        )[0]
-        for surface in surfaces
-    ]
-    return combined(np.array(rows))
+    own = {one.surface for one in family.model.patches}
+    rows: list[FloatArray] = []
+    for surface in surfaces:
+        row = kept.get(surface)
+        if row is None:
+            widths = np.array([layers_at_edges(surface)])
+            row = true_summaries(single_measure(surface, task.thresholds), widths, task.points, surface)[0]
+            kept |= {surface: row} if surface in own else {}
+        rows.append(row)
+    return combined(np.array(rows), COLUMNS)
+
+
+def _of_curves(curves: Sequence[NamedCurve], values: Mapping[str, float]) -> FloatArray:
+    """Return the summary of one design of a curve, or of several taken together."""
+    own = [{name: values[name] for name in values if name in one.definition.parameters} for one in curves]
+    rows = [curve_summary(one, mine) for one, mine in zip(curves, own, strict=True)]
+    return combined(np.array(rows), tuple(CURVE_COLUMNS))
 
 
 def columns(space: DesignSpace) -> tuple[str, ...]:

@@ -55,7 +55,9 @@ def prove_rows(
 def prove_design(task: Task, design: dict[str, float], claims: Sequence[str]) -> tuple[Verdict, ...]:
     """Return what comes of claims on one design; undecided, with why, where it has no surface or no proof."""
     try:
-        patch = task.built().with_parameters(design)
-        return prove(patch, tuple(claims), unit=str(task.model.get("unit", "")))
+        family = task.family()
+        # Of a model of one patch it goes without saying on which a claim is proved.
+        subject = family.varied[0].with_parameters(design) if len(family.names) == 1 else family.design(design)
+        return prove(subject, tuple(claims), unit=str(task.model.get("unit", "")))
     except (ModelError, NoProofError) as error:
         return tuple(Verdict("undecided", claim, 0, why=str(error)) for claim in claims)

@@ -11,7 +11,7 @@ from uuid import uuid4
 from quintrig.support.arrays import FloatArray
 from quintrig.support.errors import QuintrigError
 from quintrig.support.extras import need
-from quintrig.support.progress import Counted
+from quintrig.support.progress import Counted, watched
 from quintrig.sweep.part import summaries
 from quintrig.sweep.store import Sweep
 
@@ -22,6 +22,7 @@ _PAUSE = 0.02  # seconds between two looks at what has come
 _AHEAD = 256  # parts handed to a cluster at a time
 
 
+@watched
 def run(
     sweep: Sweep, scheduler: str | None = None, progress: Counted | None = None, threads: int | None = None
 ) -> None:

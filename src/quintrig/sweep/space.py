@@ -1,6 +1,7 @@
 """Design spaces: which values the parameters of a patch take in a sweep."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Literal, cast
 
@@ -156,30 +157,37 @@ class DesignSpace:
         )
 
 
-def check(space: DesignSpace, patch: Patch | NamedCurve) -> None:
-    """Raise ValueError where the patch has no such parameter, or an end of a range is no value for it."""
-    known = patch.definition.parameters
+def check(space: DesignSpace, parts: Sequence[Patch | NamedCurve]) -> None:
+    """Raise ValueError where no patch has such a parameter, or an end of a range is no value for one that has it."""
+    known = list(dict.fromkeys(name for part in parts for name in part.definition.parameters))
+    first, alone = parts[0], len(parts) == 1
+    if not known and not alone:
+        raise ValueError(f"none of the {len(parts)} patches has parameters to vary")
     if not known:
-        basis = " in the Bernstein basis" if patch.definition.classical else ""
-        raise ValueError(f'patch "{patch.name}": a {patch.kind}{basis} has no parameters to vary')
-    ranges = patch.definition.ranges
-    unchecked = bool(getattr(patch.definition, "unchecked_shape", False))
+        basis = " in the Bernstein basis" if first.definition.classical else ""
+        raise ValueError(f'patch "{first.name}": a {first.kind}{basis} has no parameters to vary')
     for axis in space.axes:
         if axis.name not in known:
+            whose = f"a {first.kind} has" if alone else "the patches have"
             raise ArgumentError(
-                f"unknown parameter{nearest(axis.name, known)}; a {patch.kind} has {', '.join(known)}",
-                "axis",
-                axis.name,
+                f"unknown parameter{nearest(axis.name, known)}; {whose} {', '.join(known)}", "axis", axis.name
             )
-        span = f"{axis.name}={axis.low:g}:{axis.high:g}"
-        one = ranges.get(axis.name)
-        if one is not None and not unchecked and not (one.holds(axis.low) and one.holds(axis.high)):
-            raise ArgumentError(f"the range leaves {one.range}; narrow it", "axis", span)
-        for value in (axis.low, axis.high):
-            try:
-                patch.with_parameters({axis.name: value})
-            except ModelError as error:
-                raise ArgumentError(str(error), "axis", span) from None
+        for part in parts:
+            if axis.name in part.definition.parameters:
+                _check_ends(axis, part)
+
+
+def _check_ends(axis: Axis, part: Patch | NamedCurve) -> None:
+    span = f"{axis.name}={axis.low:g}:{axis.high:g}"
+    one = part.definition.ranges.get(axis.name)
+    unchecked = bool(getattr(part.definition, "unchecked_shape", False))
+    if one is not None and not unchecked and not (one.holds(axis.low) and one.holds(axis.high)):
+        raise ArgumentError(f"the range leaves {one.range}; narrow it", "axis", span)
+    for value in (axis.low, axis.high):
+        try:
+            part.with_parameters({axis.name: value})
+        except ModelError as error:
+            raise ArgumentError(str(error), "axis", span) from None
 
 
 def _latin(dimension: int, count: int, seed: int, start: int, stop: int) -> FloatArray:

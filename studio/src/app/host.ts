@@ -4,6 +4,7 @@ import type { Built } from "../numerics/built";
 import { fromDict, ModelError, type Model, type Patch } from "../numerics/model";
 import { fromToml, toToml } from "../toml";
 import { download, fileName } from "../ui/dom";
+import type { Aims, Beside, Light } from "./aims";
 import type { Proved } from "./proofs";
 import type { Source } from "./state";
 
@@ -132,6 +133,30 @@ export class LiveHost implements Host {
     return { name, notes };
   }
 
+  /** Files of the folder that may be shown beside the model. */
+  async targets(): Promise<readonly string[]> {
+    return ((await this.ask("GET", "api/targets")) as { targets: string[] }).targets;
+  }
+
+  /** At most so many points of the target with their distances from the model. */
+  async beside(model: Model, { target, align, tolerance }: Aims, most: number): Promise<Beside> {
+    const body = JSON.stringify({ text: toToml(model), target, align: align ? "yes" : "", tolerance, most });
+    const { places, distances, ...told } = (await this.ask("POST", "api/deviation", body)) as Omit<Beside, "places" | "distances"> & { places: string; distances: string };
+    return { ...told, places: numbers(places), distances: numbers(distances) };
+  }
+
+  /** What comes of demands on a patch as it is. */
+  async lights(model: Model, patch: string, { demands, target }: Aims): Promise<readonly Light[]> {
+    return ((await this.ask("POST", "api/demands", JSON.stringify({ text: toToml(model), patch, demands, target }))) as { lights: Light[] }).lights;
+  }
+
+  /** The model with a patch of least thin-plate energy, by one control point (`only`) or by all; and that energy. */
+  async fairer(model: Model, patch: string, only: string): Promise<{ model: Model; before: number; after: number; notes: readonly string[] }> {
+    const answer = (await this.ask("POST", "api/fair", JSON.stringify({ text: toToml(model), patch, only }))) as { model: unknown; before: number; after: number; notes: string[] };
+    return { ...answer, model: fromDict(answer.model) };
+  }
+
+  /** What comes of a claim on the model, box by box. */
   async prove(model: Model, claim: string): Promise<Proved> {
     return (await this.ask("POST", "api/prove", JSON.stringify({ text: toToml(model), claim }))) as Proved;
   }
@@ -161,6 +186,9 @@ export class LiveHost implements Host {
     throw answer.status === 422 ? new ModelError(text) : new Error(text);
   }
 }
+
+/** Numbers as the server sends them: little-endian doubles in base 64. */
+const numbers = (text: string): Float64Array => new Float64Array(Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0)).buffer);
 
 export function opened(answer: unknown): Opened {
   const { model, name, tag } = answer as { model: unknown; name: string; tag: string };

@@ -12,6 +12,7 @@ import type { Frame } from "../view/frame";
 import type { SurfaceMesh } from "../view/mesh";
 import type { Regions } from "../view/proof";
 import { toothOf, toothOfCurves } from "../view/overlays";
+import { drawTarget } from "../view/target";
 import { sharpest, type Sharpest } from "../view/radius";
 import type { Cell, Piece } from "../view/cell";
 import type { Stage } from "../view/stage";
@@ -71,6 +72,19 @@ export class Painter {
     this.tooth = state.settings.comb && curves.length ? toothOfCurves(curves, state.settings.combScale, frame) : 0;
     shown.forEach(({ editable }, i) => this.overlay(this.stage.cells[i]!, state, frame, editable, tooth));
     this.sew(state, frame);
+    this.target(state, frame);
+  }
+
+  /** Draw the target beside the model itself, with its first patch. */
+  private target(state: State, frame: Frame): void {
+    const main = mainCell(state, this.stage.cells.length), { beside } = state;
+    this.stage.cells.forEach(({ pieces }, k) => pieces.forEach((piece, i) => {
+      const own = k === main && i === 0 ? beside : null;
+      if (piece.beside === own && (!own || piece.besideFrame === frame)) return;
+      piece.beside = own;
+      piece.besideFrame = frame;
+      drawTarget(piece.overlays.target, own, frame);
+    }));
   }
 
   /** Measure the seams whose patches changed, and draw them. */

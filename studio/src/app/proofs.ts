@@ -83,7 +83,7 @@ export class Proofs {
   private show(model: Model, found: Proved): void {
     model.patches.forEach((patch, i) => this.maps.set(patch, found.maps[i] ?? { rectangles: [], states: [] }));
     this.key.hidden = !found.maps.some((map) => map.rectangles.length);
-    const at = found.witness, where = at && at.patch && model.patches.length > 1 ? `${at.patch}, ` : "";
+    const at = found.witness, where = at?.patch && model.patches.length > 1 ? `${at.patch}, ` : "";
     const fails = at ? ` at ${where}u = ${Number(at.u.toPrecision(4))}, v = ${Number(at.v.toPrecision(4))}${at.value === null ? "" : `, where it is ${Number(at.value.toPrecision(4))}${found.unit ? ` ${found.unit}` : ""}`}` : "";
     this.said.textContent = [`${found.claim}: ${found.verdict}${fails}.`, found.why ?? "", ...found.notes].filter(Boolean).join(" ");
     this.redraw();

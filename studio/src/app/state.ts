@@ -6,6 +6,7 @@ import { refusal } from "../numerics/built";
 import { drawnHere } from "../numerics/builders";
 import { isStandard } from "../numerics/chosen";
 import { fromDict, shapeOf, STARTERS, type Model, type Patch } from "../numerics/model";
+import { NO_AIMS, type Aims, type Beside, type Light } from "./aims";
 import { remember, type Settings } from "./settings";
 
 /** What else is shown beside the model. */
@@ -47,6 +48,10 @@ export interface State extends Work {
   readonly moving: boolean;
   /** Two sides are being chosen to be joined, or released: the order, and the first of them. */
   readonly joining: { readonly order: string; readonly first: string | null } | null;
+  /** What the model is measured against, and what was last found. */
+  readonly aims: Aims;
+  readonly beside: Beside | null;
+  readonly lights: readonly Light[];
   readonly message: Message | null;
 }
 
@@ -148,7 +153,7 @@ export class Store {
     this.gesture = null;
     this.set({
       model, saved, source, patch: 0, selected: null, pins: [], hover: null, kept: [], compare: "off", canUndo: false, canRedo: false,
-      moving: false, joining: null, message: null, opened: ++this.openings,
+      moving: false, joining: null, message: null, aims: NO_AIMS, beside: null, lights: [], opened: ++this.openings,
     });
   }
 

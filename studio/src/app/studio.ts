@@ -4,6 +4,7 @@ import { handlesOf } from "../edit/handles";
 import { curveOf, isCurve } from "../numerics/curve";
 import type { Model } from "../numerics/model";
 import { QUANTITY } from "../numerics/quantity";
+import { AimsPanel } from "../ui/aims-panel";
 import { Hud } from "../ui/hud";
 import { Inspector } from "../ui/inspector";
 import { Legend } from "../ui/legend";
@@ -23,7 +24,8 @@ import { Stage } from "../view/stage";
 import { boxOf, cellsOf, type Shown } from "./cells";
 import { Drafts } from "./drafts";
 import { Files } from "./files";
-import type { Host } from "./host";
+import { Follower, NO_AIMS } from "./aims";
+import { LiveHost, type Host } from "./host";
 import { press } from "./keys";
 import { Painter } from "./painter";
 import { listen, still } from "./pointer";
@@ -53,6 +55,8 @@ export class Studio {
   private readonly bar: TopBar;
   private readonly inspector: Inspector;
   private readonly model: ModelPanel;
+  /** Of the live studio alone: a page from disk has nobody to measure for it. */
+  private readonly aims: AimsPanel | null = null;
   private readonly probe: ProbePanel;
   private readonly status: StatusBar;
   private readonly files: Files;
@@ -79,7 +83,7 @@ export class Studio {
     const settings: Settings = { ...remembered(), ...(start.quantity ? { quantity: start.quantity } : {}) };
     this.store = new Store({
       model: start.model, saved: start.model, source: start.source, patch: 0, selected: null, settings, compare: "off", kept: [], pins: [],
-      hover: null, canUndo: false, canRedo: false, moving: false, joining: null, message: null, opened: 1,
+      hover: null, canUndo: false, canRedo: false, moving: false, joining: null, aims: NO_AIMS, beside: null, lights: [], message: null, opened: 1,
     });
     const { store } = this;
     this.stage = new Stage(this.canvas);
@@ -89,6 +93,11 @@ export class Studio {
     this.bar = new TopBar(store, this.files, () => this.switchTheme(), () => void showHelp(this.root), () => this.root.classList.toggle("with-left"), host.kind !== "live");
     this.model = new ModelPanel(store);
     this.inspector = new Inspector(store);
+    if (host instanceof LiveHost) {
+      this.aims = new AimsPanel(store, host);
+      this.inspector.element.append(this.aims.element);
+      new Follower(store, host);
+    }
     if (this.proofs) this.inspector.element.append(this.proofs.element);
     this.probe = new ProbePanel(store, () => this.plan());
     this.status = new StatusBar(store);
@@ -140,6 +149,7 @@ export class Studio {
     if (now.hover !== before.hover && now.model === before.model && now.settings === before.settings) this.hud.refresh(now, this.frame, this.sharp);
     if (now.model !== before.model || now.settings !== before.settings || now.patch !== before.patch || shownBefore || now.kept !== before.kept || now.saved !== before.saved || now.moving !== before.moving || now.selected !== before.selected) this.plan(true);
     if (now.joining !== before.joining) this.plan(true);
+    if (now.aims !== before.aims || now.beside !== before.beside || now.lights !== before.lights) this.plan(true);
     if (now.message !== before.message || now.pins !== before.pins) this.plan();
   }
 
@@ -211,6 +221,7 @@ export class Studio {
     this.sharp = settings.minRadius && !state.moving ? this.painter.sharpest() : [];
     this.bar.refresh(state);
     this.inspector.refresh(state, this.dark);
+    this.aims?.refresh(state);
     this.model.refresh(state);
     this.model.body.refresh(state, this.painter.seams, this.dark);
     this.hud.labels(shown.map((one) => one.label), state);

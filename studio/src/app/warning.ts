@@ -5,7 +5,6 @@ import { choicesOf, moving } from "../numerics/chosen";
 import { holds, rangeOf } from "../numerics/formulas";
 import { shapeOf, shapeParameters } from "../numerics/model";
 import { isCurve } from "../numerics/curve";
-import { short } from "../ui/format";
 import { extent, type Surface } from "../numerics/surface";
 import { activePatch, type State } from "./state";
 
@@ -15,7 +14,7 @@ export function warningOf(state: State, surface: Surface | null): string {
   if (surface && extent(surface).size === 0) return "A single point: it has no size, no tangent plane and no curvature";
   const values = shapeOf(patch), wrong = shapeParameters(patch).find((one, i) => !holds(one, values[i]!));
   const off = patch["unchecked_basis"] === true ? moving(choicesOf(patch))[0] : undefined;
-  if (off) return `The functions of the basis ${off.name} do not sum to 1 (off by ${short(off.offSum.by, 3)} ${off.offSum.where}): the ${isCurve(patch) ? "curve" : "surface"} moves with the origin`;
+  if (off) return `The functions of the basis ${off.name} do not sum to 1 (${off.offSum.told}): the ${isCurve(patch) ? "curve" : "surface"} moves with the origin`;
   if (wrong) return `Shape parameters outside ${rangeOf(wrong).replaceAll("-", "−")}: the convex-hull property is lost`;
   if ((patch["trim"] as unknown[] | undefined)?.length) return "A trimmed face: meshes and CAD files take the whole of its surface";
   if (patch.kind !== "developable" || state.moving || !surface) return "";

@@ -127,9 +127,8 @@ export function checkSums(patch: Patch, choices: readonly Choice[]): void {
   if (patch["unchecked_basis"] === true) return;
   for (const basis of choices.map(({ entry: one, points }) => one.basis(points))) {
     if (basis.partition) continue;
-    const { by, where } = basis.offSum;
     throw new Error(
-      `basis: the functions of '${basis.name}' do not sum to 1 (off by ${Number(by.toPrecision(3))} ${where}); correct the formulas, or set ` +
+      `basis: the functions of '${basis.name}' do not sum to 1 (${basis.offSum.told}); correct the formulas, or set ` +
         "unchecked_basis = true and have a surface that moves with the origin",
     );
   }

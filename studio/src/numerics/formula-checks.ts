@@ -28,15 +28,15 @@ export function checkValues(trees: readonly Node[], parameters: readonly Paramet
 }
 
 /** By how much the sum of the functions misses 1 at worst, relative to the largest, and where. */
-export function sums(trees: readonly Node[], parameters: readonly Parameter[]): { by: number; where: string } {
-  let by = -1, where = "";
+export function sums(trees: readonly Node[], parameters: readonly Parameter[]): { by: number; told: string } {
+  let by = -1, told = "";
   for (const sample of corners(parameters)) {
     valuesAt(trees, parameters, sample).forEach((row, i) => {
-      const off = Math.abs(row.reduce((sum, x) => sum + x, 0) - 1) / Math.max(1, ...row.map(Math.abs));
-      if (off > by) [by, where] = [off, place(parameters, sample, SAMPLES[i]!)];
+      const found = row.reduce((sum, x) => sum + x, 0), off = Math.abs(found - 1) / Math.max(1, ...row.map(Math.abs));
+      if (off > by) [by, told] = [off, `their sum is ${Number(found.toPrecision(12))} ${place(parameters, sample, SAMPLES[i]!)}`];
     });
   }
-  return { by, where };
+  return { by, told };
 }
 
 /** Samples of the range: its corners (some of many), its centre and points between. */

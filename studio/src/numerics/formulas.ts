@@ -41,7 +41,7 @@ export const told = (value: number): string => String(Number(value.toPrecision(6
 /** What a paper, a model file or an installed package says of a basis. */
 export class Basis {
   readonly trees: readonly Node[];
-  private off: { by: number; where: string } | null = null;
+  private off: { by: number; told: string } | null = null;
 
   /** `checked` formulas come from Python, which has looked at their values. Error naming the function and the character. */
   constructor(readonly name: string, readonly functions: readonly string[], readonly parameters: readonly Parameter[], checked = false) {
@@ -62,8 +62,8 @@ export class Basis {
     return this.functions.length;
   }
 
-  /** By how much the sum of the functions misses 1 at worst, in samples, and where. */
-  get offSum(): { by: number; where: string } {
+  /** By how much the sum of the functions misses 1 at worst, in samples, and what it is where. */
+  get offSum(): { by: number; told: string } {
     return (this.off ??= sums(this.trees, this.parameters));
   }
 

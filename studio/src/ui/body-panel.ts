@@ -1,7 +1,7 @@
 /** Several patches as one body: their list's tools, the seams of the active patch in numbers, and joining by clicking two sides. */
 
 import { activePatch, starterOf, type State, type Store } from "../app/state";
-import { joined, type Rule } from "../edit/follow";
+import { joined, leftToPython, type Rule } from "../edit/follow";
 import { added, mirrored, removed, withJoins } from "../edit/patches";
 import { isCurve } from "../numerics/curve";
 import type { Model } from "../numerics/model";
@@ -11,11 +11,13 @@ import { button, choice, toggle } from "./controls";
 import { h } from "./dom";
 import { short } from "./format";
 
+const ALL = 5e-3; // of a side at its ends: less than that missing is not told
 const JOINS = ["G0", "G1", "G2", "G3"];
 
 export class BodyPanel {
   readonly element = h("section", { class: "body-tools stack", "aria-label": "Patches and seams" });
   private readonly seams = h("ul", { class: "seams", "aria-label": "Seams of this patch" });
+  private readonly later = h("p", { class: "hint later" });
   private readonly hint = h("p", { class: "hint", role: "status" });
   private readonly joining = toggle("Join or release", (joining) => this.store.set({ joining: joining ? { order: this.order, first: null } : null }), undefined, "Click a side of one patch, then a side of another: the second follows the first from then on. Sides that are joined are released.");
   private readonly together = toggle("Shared points move together", (together) => this.store.setting({ together }), undefined, "Points that patches have in common, and sides held by a join, follow what is dragged");
@@ -45,7 +47,7 @@ export class BodyPanel {
         button("Duplicate", "Duplicate this patch", () => more(activePatch(store.state))),
         ...(["x", "y", "z"] as const).map((name, axis) => button(`Mirror ${name}`, `Mirror ${name}: add the image of this patch across ${name} = 0`, () => mirror(axis as 0 | 1 | 2))),
         button("Delete", "Delete this patch, and its joins", () => put(removed(store.state.model, store.state.patch), store.state.patch))),
-      this.row, this.together.element, this.hint, this.seams);
+      this.row, this.together.element, this.hint, this.later, this.seams);
   }
 
   refresh(state: State, all: readonly Seam[], dark: boolean): void {
@@ -56,7 +58,10 @@ export class BodyPanel {
     this.together.update(state.settings.together);
     this.hint.textContent = !state.joining ? "" : state.joining.first ? `${state.joining.first}: now click a side of another patch` : "Click near a side of the patch that leads";
     this.hint.hidden = !many || !state.joining;
-    const { patches, unit } = state.model, end = (of: Seam["first"]) => `${patches[of.patch]!.name}:${of.side}`;
+    const later = leftToPython(state.model).map((rule) => rule.second);
+    this.later.textContent = later.length ? `Not moved here, but by Python when the model is saved or read: ${later.join(", ")}` : "";
+    this.later.hidden = !later.length;
+    const { patches, unit } = state.model, end = (of: Seam["first"]) => `${patches[of.patch]!.name}:${of.side}${of.from > ALL || of.to < 1 - ALL ? ` [${short(of.from, 3)}, ${short(of.to, 3)}]` : ""}`;
     const own = all.filter((seam) => seam.first.patch === state.patch || seam.second.patch === state.patch);
     this.seams.replaceChildren(...own.map((seam) => {
       const swatch = h("b", { class: "order" }, seam.order);

@@ -13,7 +13,7 @@ const PAUSE = 120; // ms after a letter
 
 export class ModelText {
   readonly element: HTMLDetailsElement;
-  private readonly text = h("textarea", { spellcheck: "false", autocapitalize: "off", rows: 14 });
+  private readonly text = h("textarea", { spellcheck: "false", autocapitalize: "off", rows: 14, "aria-label": "The model as text" });
   private readonly wrong = h("p", { class: "hint error", role: "alert", hidden: true });
   private readonly copy: HTMLButtonElement;
   private readonly hint = h("p", { class: "hint" });

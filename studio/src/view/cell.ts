@@ -1,6 +1,7 @@
 /** What is drawn in one viewport: pieces, each a surface with the lines and points over it. */
 
 import { Scene } from "three";
+import type { Beside } from "../app/aims";
 import type { CurvePoint } from "../numerics/curve";
 import type { Patch } from "../numerics/model";
 import type { Seam } from "../numerics/seams";
@@ -27,6 +28,9 @@ export class Piece {
   /** The seams drawn with it: those whose first side is its own. */
   seams: readonly Seam[] = [];
   seamsFrame: Frame | null = null;
+  /** The target drawn with it, and where. */
+  beside: Beside | null = null;
+  besideFrame: Frame | null = null;
 }
 
 /** One viewport: its pieces and its place in the canvas, in CSS pixels from the top left. */

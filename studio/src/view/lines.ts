@@ -163,6 +163,7 @@ precision highp float;
 in vec4 shade_;
 uniform float size;
 uniform vec3 rim;
+uniform float ring;
 uniform float veil;
 layout(location = 0) out vec4 pixel;
 void main() {
@@ -172,22 +173,22 @@ void main() {
   float inside = 1.0 - smoothstep(edge - 1.0, edge, r);
   if (inside < 0.02) discard;
   float hollow = shade_.a < 0.75 ? 1.0 : 0.0;
-  float core = 1.0 - smoothstep(edge - 0.22 * big - 0.5, edge - 0.22 * big + 0.5, r);
+  float core = ring > 0.0 ? 1.0 - smoothstep(edge - ring * big - 0.5, edge - ring * big + 0.5, r) : 1.0;
   vec3 colour = mix(rim, mix(shade_.rgb, rim, hollow), core);
   colour = mix(colour, shade_.rgb, hollow * (1.0 - core));
   pixel = vec4(colour, veil * inside * (hollow > 0.5 ? 0.75 : 1.0));
 }`;
 
-/** Round points of a size in pixels, with a rim, one colour each. */
+/** Round points of a size in pixels, the larger ones with a rim, one colour each. */
 export class Points {
   readonly mesh: PointCloud;
   private readonly material: ShaderMaterial;
   private readonly geometry = new BufferGeometry();
 
-  constructor(onTop = false) {
+  constructor(onTop = false, private readonly across = 11) {
     this.material = new ShaderMaterial({
       glslVersion: GLSL3, vertexShader: POINT_VERTEX, fragmentShader: POINT_FRAGMENT, transparent: true, depthTest: !onTop, depthWrite: false,
-      uniforms: { size: { value: 10 }, lift: { value: 2e-3 }, veil: { value: 1 }, rim: { value: new Color(1, 1, 1) } },
+      uniforms: { size: { value: 10 }, lift: { value: 2e-3 }, veil: { value: 1 }, rim: { value: new Color(1, 1, 1) }, ring: { value: across < 8 ? 0 : 0.22 } },
     });
     this.mesh = new PointCloud(this.geometry, this.material);
     this.mesh.frustumCulled = false;
@@ -196,7 +197,7 @@ export class Points {
   }
 
   resize(ratio: number): void {
-    this.material.uniforms["size"]!.value = 11 * ratio;
+    this.material.uniforms["size"]!.value = this.across * ratio;
   }
 
   /** What is drawn, for a picture without WebGL: places, and colours with kinds. */

@@ -62,6 +62,8 @@ const RELATIVE = THRESHOLDS.relative; // of the curvedness: below it K and H cou
 export class Overlays {
   readonly group = new Group();
   readonly points = new Points();
+  /** The points of a target beside the model. */
+  readonly target = new Points(false, 4.5);
   /** What the section plane is moved and tilted by. */
   private readonly grips = new Points(true);
   /** Points of the drawn curve, and the tips of its comb, in the scene. */
@@ -74,7 +76,8 @@ export class Overlays {
 
   constructor() {
     for (const name of LINES) this.group.add(this.lines[name].mesh);
-    this.group.add(this.points.mesh, this.grips.mesh);
+    this.group.add(this.target.mesh, this.points.mesh, this.grips.mesh);
+    this.target.fill([], []);
     this.grips.fill([], []);
     this.lines.curve.end(); // most pieces have none
     this.seams([], UNIT_FRAME);
@@ -82,11 +85,12 @@ export class Overlays {
 
   /** All lines and points, for a picture without WebGL. */
   get drawn() {
-    return { lines: LINES.map((name) => this.lines[name].drawn), points: [this.points.drawn, this.grips.drawn] };
+    return { lines: LINES.map((name) => this.lines[name].drawn), points: [this.target.drawn, this.points.drawn, this.grips.drawn] };
   }
 
   resize(width: number, height: number, ratio: number): void {
     for (const name of LINES) this.lines[name].resize(width, height, ratio, STYLE[name].width);
+    this.target.resize(ratio);
     this.points.resize(ratio);
     this.grips.resize(ratio);
   }
@@ -186,6 +190,7 @@ export class Overlays {
 
   dispose(): void {
     for (const name of LINES) this.lines[name].dispose();
+    this.target.dispose();
     this.points.dispose();
     this.grips.dispose();
   }

@@ -60,6 +60,7 @@ class Contents:
     faces: tuple[Face, ...]
     curves: tuple[SpaceCurve, ...] = ()
     notes: tuple[str, ...] = ()
+    shells: int = 0
 
     def to_dict(self) -> dict[str, Any]:
         """Return it as plain values, to go through JSON."""
@@ -74,6 +75,7 @@ class Contents:
             tuple(Face(**face) for face in data["faces"]),
             tuple(SpaceCurve(**curve) for curve in data["curves"]),
             tuple(data["notes"]),
+            data["shells"],
         )
 
 

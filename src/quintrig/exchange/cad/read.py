@@ -65,7 +65,20 @@ def read_cad(
     # OpenCASCADE calls what nobody named after itself.
     named_shapes = [name for name, _, _ in shapes if name and not name.startswith("Open CASCADE")]
     title = named_shapes[0] if len(named_shapes) == 1 else path.stem
-    return Contents(title, unit, tuple(faces), tuple(curves), tuple(notes))
+    shells = sum(len(explored(shape, "SHELL")) for _, shape, _ in shapes)
+    return Contents(title, unit, tuple(faces), tuple(curves), tuple(notes), shells)
+
+
+def faces_of(shape: Any, place: str) -> tuple[Face, ...]:
+    """Return the faces of a shape of OpenCASCADE in memory; QuintrigError, naming ``place``, for what is none."""
+    whole = isinstance(shape, module("TopoDS").TopoDS_Shape) and not shape.IsNull()
+    found = explored(shape, "FACE") if whole else []
+    if not found:
+        kind = "none" if whole else type(shape).__name__
+        raise QuintrigError(f"{place}: expected a shape with faces, found {kind}; hand over a face or solid")
+    if len(found) > _MOST_FACES:
+        raise QuintrigError(f"{place}: expected at most {_MOST_FACES} faces, found {len(found):,}; hand over parts")
+    return tuple(_face(k, "", down_to("Face", one)) for k, one in enumerate(found, 1))
 
 
 def _read_file(reader: Any, path: Path, kind: str) -> None:

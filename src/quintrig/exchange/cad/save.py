@@ -23,6 +23,11 @@ CAD_WRITTEN = suffixes("cad")
 _USUAL_SEWING = 5e-7
 """Of the size of a patch: seams up to this wide are sewn anyway."""
 
+_SEPARATE = (
+    "3DM: each patch is a surface of its own, for rhino3dm joins none; Join in Rhino makes one polysurface of those "
+    "that meet (STEP and IGES hold them sewn)"
+)
+
 _LARGEST_DEVIATION = 1e-12
 """Of an exact file from its model, relative to the patch's size and beside what rounding explains; more is a fault."""
 
@@ -78,7 +83,7 @@ def _data(
     if suffix == ".3dm":
         from quintrig.exchange.cad.rhino import write_3dm
 
-        notes = ("3DM: patches are separate surfaces; join them in Rhino",) if len(parts) > 1 else ()
+        notes = (_SEPARATE,) if len(parts) > 1 else ()
         forms, written = [part.form for part in parts], [one.written for one in curves]
         return write_3dm(forms, names[: len(parts)], model.unit, remark, written), notes
     from quintrig.exchange.cad import write as cad_write
@@ -86,7 +91,7 @@ def _data(
     from quintrig.exchange.cad.shell import shell, with_edges
 
     with quiet():
-        faces = shell(parts, options.sew or _widest_seam(model)) if parts else None
+        faces = shell(parts, options.sew or _widest_seam(model), model.unit) if parts else None
         shape = faces if faces and not curves else with_edges(faces, curves)
     if suffix in (".step", ".stp"):
         return cad_write.step(shape, model.name, names, model.unit, options.schema, remark), shape.notes
@@ -108,6 +113,8 @@ def _compared(parts: tuple[Carrier, ...], curves: tuple[CurveCarrier, ...], copy
     """Return a line on each patch and curve; QuintrigError where an exact file is not exact."""
     read = read_here(copy)
     lines: list[str] = []
+    if len(parts) > 1 and path.suffix.lower() != ".3dm":
+        lines.append(f"read back as {'one shell' if read.shells == 1 else f'{read.shells} shells'}")
     for part, found in zip(parts, deviations(parts, read), strict=True) if parts else ():
         lines.append(_told("patch", part.deviation == 0.0, part.surface.size, found, path))
         if is_far(part.surface):

@@ -39,7 +39,7 @@ class Shell:
         return whole
 
 
-def shell(parts: Sequence[Carrier], tolerance: float | None = None) -> Shell:
+def shell(parts: Sequence[Carrier], tolerance: float | None = None, unit: str = "") -> Shell:
     """Return one face, or several sewn together where their edges are within ``tolerance`` (length¹).
 
     By default the tolerance is 1e-6 of the model's size, and at least twice the deviation of a fit and four times what
@@ -60,7 +60,8 @@ def shell(parts: Sequence[Carrier], tolerance: float | None = None) -> Shell:
     sewing.Perform()
     sewn = tuple(sewing.Modified(face) if sewing.IsModified(face) else face for face in faces)
     joined, free = sewing.NbContigousEdges(), sewing.NbFreeEdges()
-    notes = [f"sewn within {reach:.3g}: {joined} shared edges, {free} free edges"]
+    length = f"{reach:.3g} {unit}".rstrip()
+    notes = [f"sewn within {length}: {joined} shared edges, {free} free edges"]
     inside = explored(sewing.SewedShape(), "FACE")
     turned = [part.name for part, old, new in zip(parts, faces, sewn, strict=True) if _turned(old, new, inside)]
     if turned:

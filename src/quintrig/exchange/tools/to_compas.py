@@ -16,14 +16,16 @@ def to_compas(value: Given, *, form: Literal["mesh", "nurbs"] = "mesh", **option
         raise ValueError(f'form: expected "mesh" or "nurbs", found {form!r}')
     datastructures = need("compas.datastructures", "to_compas")
     if form == "nurbs":
-        if options:
-            raise ValueError(f'{next(iter(options))}: goes with form = "mesh" alone; a NURBS surface has no points')
+        given = [name for name, value in options.items() if value is not None]
+        if given:
+            raise ValueError(f'{given[0]}: goes with form = "mesh" alone; a NURBS surface has no points')
         parts = {part.name: _data(part) for part in written_carriers(whole(value))}
         return next(iter(parts.values())) if alone(value) else parts
     result, model = meshed(value, **options)
     mesh = datastructures.Mesh.from_vertices_and_faces(result.points.tolist(), result.triangles.tolist())
     mesh.name = model.name
     mesh.attributes["unit"] = model.unit
+    mesh.attributes["notes"] = list(result.notes)
     names = [patch.name for patch in model.patches]
     columns = {"u": result.u, "v": result.v, **result.values}
     for k, normal in enumerate(result.normals.tolist()):

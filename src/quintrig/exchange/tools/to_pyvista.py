@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from quintrig.analysis.sample import analyse
-from quintrig.exchange.tools.whole import Given, alone, whole
+from quintrig.exchange.tools.whole import Given, alone, keys, pair, whole
 from quintrig.geometry.surface import Surface
 from quintrig.quantities.table import BY_KEY
 from quintrig.support.extras import need
@@ -25,16 +25,13 @@ def to_pyvista(
     pyvista = need("pyvista", "to_pyvista")
     model = whole(value)
     nu, nv = _grid(points, len(model.patches))
-    keys = list(BY_KEY) if quantities is None else [quantities] if isinstance(quantities, str) else list(quantities)
-    grids = {patch.name: _of_surface(pyvista, patch.surface, nu, nv, keys, model.unit) for patch in model.patches}
+    wanted = list(BY_KEY) if quantities is None else keys(quantities)
+    grids = {patch.name: _of_surface(pyvista, patch.surface, nu, nv, wanted, model.unit) for patch in model.patches}
     return next(iter(grids.values())) if alone(value) else pyvista.MultiBlock(grids)
 
 
 def _grid(points: tuple[int, int], patches: int) -> tuple[int, int]:
-    try:
-        nu, nv = (int(number) for number in points)
-    except (TypeError, ValueError):
-        raise ValueError(f"points: expected two numbers of points, along u and v, found {points!r}") from None
+    nu, nv = pair(points, "points")
     if nu < 2 or nv < 2 or nu * nv * patches > _MOST_POINTS:
         raise ValueError(
             f"points: expected a grid of 2 x 2 to {_MOST_POINTS:,} points in all, found {nu} x {nv} for each patch"
@@ -42,9 +39,9 @@ def _grid(points: tuple[int, int], patches: int) -> tuple[int, int]:
     return nu, nv
 
 
-def _of_surface(pyvista: Any, surface: Surface, nu: int, nv: int, keys: list[str], unit: str) -> Any:
+def _of_surface(pyvista: Any, surface: Surface, nu: int, nv: int, wanted: list[str], unit: str) -> Any:
     u, v = np.linspace(0.0, 1.0, nu)[:, None], np.linspace(0.0, 1.0, nv)[None, :]
-    sample = analyse(surface, u, v, ["point", "normal", *keys])
+    sample = analyse(surface, u, v, ["point", "normal", *wanted])
     grid = pyvista.StructuredGrid(*np.moveaxis(sample.point, -1, 0))
     # VTK runs along the first axis first.
     flat = {key: np.swapaxes(array, 0, 1).reshape(nu * nv, *array.shape[2:]) for key, array in sample.values.items()}

@@ -8,7 +8,7 @@ from quintrig.support.extras import need
 
 
 def to_trimesh(value: Given, **options: Any) -> Any:
-    """Return a trimesh.Trimesh; ``metadata`` hold the unit, the names of the patches and the chord measured.
+    """Return a trimesh.Trimesh; ``metadata`` hold the unit, the names of the patches, the chord measured and notes.
 
     ``vertex_attributes`` hold u, v, the number of the patch and the quantities. Raises as ``Handed.to_trimesh`` says.
     """
@@ -19,6 +19,11 @@ def to_trimesh(value: Given, **options: Any) -> Any:
         result.triangles,
         vertex_normals=result.normals,
         vertex_attributes={"u": result.u, "v": result.v, "patch": result.patch, **result.values},
-        metadata={"unit": model.unit, "patches": [patch.name for patch in model.patches], "chord": result.chord},
+        metadata={
+            "unit": model.unit,
+            "patches": [patch.name for patch in model.patches],
+            "chord": result.chord,
+            "notes": list(result.notes),
+        },
         process=False,  # it would merge points and lose their attributes
     )

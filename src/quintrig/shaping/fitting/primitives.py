@@ -264,7 +264,7 @@ def _framed(kind: str, sizes: FloatArray, scale: float, points: FloatArray) -> P
             return _placed(kind, x / ([scale] * 3 + [1, 1] + [scale]), scale, np.zeros(3), points)
         own = {"radius": radius, "height": top}
         return Primitive(kind, own, origin | up, {"kind": kind, **own})
-    height, angle = float(sizes[0]) * scale, float(sizes[1])
+    height, angle = float(sizes[0]) * scale, float(sizes[1] % np.pi)
     if height <= 0.0 or foot < -slack or np.tan(angle) <= 0.0:
         x = np.array([0.0, 0.0, height / scale, 0.0, 0.0, angle])
         return _placed(kind, x, scale, np.zeros(3), points)
@@ -295,6 +295,10 @@ def _placed(kind: str, x: FloatArray, scale: float, centre: FloatArray, points: 
         keys = _revolved(spot, np.eye(3), _arc(radius, -90.0, 90.0))
         return Primitive(kind, {"radius": radius}, {"centre": spot.tolist()}, keys)
     axis = _axis(x[3:5], 0)
+    angle = 0.0
+    if kind == "cone":  # the axis towards the apex, and an angle below 90 degrees
+        angle = float((x[5] + 0.5 * np.pi) % np.pi - 0.5 * np.pi)
+        axis, angle = (axis, angle) if angle >= 0.0 else (-axis, -angle)
     helper = np.eye(3)[int(np.argmin(np.abs(axis)))]
     e1 = np.cross(helper, axis)
     e1 /= np.linalg.norm(e1)
@@ -310,9 +314,9 @@ def _placed(kind: str, x: FloatArray, scale: float, centre: FloatArray, points: 
         line = [(radius, low, 1.0), (radius, high, 1.0)]
         return Primitive(kind, own, place | {"point": spot.tolist()}, _revolved(spot, frame, line))
     if kind == "cone":
-        slope = float(np.tan(x[5]))
+        slope = float(np.tan(angle))
         line = [(max(-low * slope, 0.0), low, 1.0), (max(-high * slope, 0.0), high, 1.0)]
-        own = {"half_angle_degrees": abs(float(np.degrees(x[5]))), "radius": line[0][0], "height": high - low}
+        own = {"half_angle_degrees": float(np.degrees(angle)), "radius": line[0][0], "height": high - low}
         return Primitive(kind, own, place | {"apex": spot.tolist()}, _revolved(spot, frame, line))
     major, minor = abs(float(x[5])) * scale, abs(float(x[6])) * scale
     ring = [(major + r, z, w) for r, z, w in _arc(minor, -180.0, 180.0)]

@@ -16,6 +16,7 @@ from quintrig.scan.nearest import Feet, Finder
 from quintrig.shaping.fitting import gram_jit
 from quintrig.shaping.fitting.forms import Form
 from quintrig.support.arrays import BoolArray, FloatArray
+from quintrig.support.progress import Progress
 from quintrig.support.scipy_inside import linalg_, optimize_, shortest, sparse_, tree_of
 
 _LEAST_SMOOTH = 1e-9
@@ -31,13 +32,17 @@ _UNREACHED = 0.05
 
 @dataclass(frozen=True, eq=False)
 class Data:
-    """Points (n, 3), scaled, with weights (n,); ``border`` (n,) is true for those that belong on the edges."""
+    """Points (n, 3), scaled, with weights (n,); ``border`` (n,) is true for those that belong on the edges.
+
+    ``progress`` is told of the rounds of a fit.
+    """
 
     points: FloatArray
     weights: FloatArray
     border: BoolArray
     robust: bool = True
     smooth: float = 0.0
+    progress: Progress | None = None
 
     def some(self, most: int) -> "Data":
         """Return at most so many of the points, the same ones each time."""
@@ -86,12 +91,16 @@ def begun(form: Form, data: Data, at: FloatArray) -> State:
     return State(_solved(made.net, made.to_net), theta)
 
 
-def refined(form: Form, data: Data, state: State, free: bool, rounds: int, exact: float = 1e-5) -> State:
-    """Return the fit that distances cannot be made less from; ``free`` lets the shape parameters move."""
+def refined(
+    form: Form, data: Data, state: State, free: bool, rounds: int, exact: float = 1e-5, but: int | None = None
+) -> State:
+    """Return the fit that distances cannot be made less from; ``free`` lets the shape parameters move, ``but`` one."""
     best, slide = state, 0.3
     here = state
     stuck = 0
-    for _ in range(rounds):
+    for number in range(rounds):
+        if data.progress:
+            data.progress(f"fitting {form.patches or 1} patch{'es' if form.patches > 1 else ''}", number, rounds)
         feet = _feet(form, here, data)
         weights = _trusted(feet, data)
         rms = _rms(feet, weights)
@@ -108,7 +117,7 @@ def refined(form: Form, data: Data, state: State, free: bool, rounds: int, exact
             weights = _trusted(feet, data)
         if stuck >= 4 or rms < 1e-14:
             break
-        here = _stepped(form, here, feet, data, weights, slide, free)
+        here = _stepped(form, here, feet, data, weights, slide, free, but)
     else:
         feet = _feet(form, here, data)
         rms = _rms(feet, _trusted(feet, data))
@@ -194,11 +203,20 @@ def _made(form: Form, state: State, feet: Feet, data: Data, weights: FloatArray,
     return _system(form, state.q, state.theta, feet.which, at, weight, feet.away, data.smooth, free)
 
 
-def _stepped(form: Form, state: State, feet: Feet, data: Data, weights: FloatArray, slide: float, free: bool) -> State:
+def _stepped(
+    form: Form,
+    state: State,
+    feet: Feet,
+    data: Data,
+    weights: FloatArray,
+    slide: float,
+    free: bool,
+    but: int | None = None,
+) -> State:
     free = free and len(state.theta) > 0
     made = _made(form, state, feet, data, weights, slide, free)
     theta = state.theta
-    shift = np.zeros(len(theta))
+    moved, shift = theta, np.zeros(len(theta))
     if free:
         # The net's part of the equations is eliminated: what remains is in the shape parameters alone.
         schur = made.shape - made.mixed.T @ _solved(made.net, made.mixed)
@@ -206,9 +224,14 @@ def _stepped(form: Form, state: State, feet: Feet, data: Data, weights: FloatArr
         schur = schur + slide * np.diag(np.abs(np.diag(schur))) + 1e-9 * np.diag(np.diag(made.shape))
         low = np.array([one.low + (1e-6 if one.open[0] else 0.0) for one in form.ranges.values()])
         high = np.array([one.high - (1e-6 if one.open[1] else 0.0) for one in form.ranges.values()])
-        shift = _bounded(schur, right, low - theta, high - theta, 0.5 * (high - low))
+        lowest, highest = low - theta, high - theta
+        if but is not None:
+            lowest[but] = highest[but] = 0.0
+        shift = _bounded(schur, right, lowest, highest, 0.5 * (high - low))
+        shift = np.clip(shift, lowest, highest)
+        moved = np.clip(theta + shift, low, high)
     net = _solved(made.net, made.to_net - made.mixed @ shift if free else made.to_net)
-    return State(state.q + net, theta + shift)
+    return State(state.q + net, moved)
 
 
 def _bounded(matrix: FloatArray, right: FloatArray, low: FloatArray, high: FloatArray, most: FloatArray) -> FloatArray:

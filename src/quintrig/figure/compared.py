@@ -24,7 +24,8 @@ from quintrig.figure.flat import (
 from quintrig.figure.frame import equal_scale, panel_size, stacked_scale
 from quintrig.figure.legend import draw_class_list, draw_key, key_height, list_height
 from quintrig.figure.palette import SERIES
-from quintrig.figure.scene import Box, Mark, Scene, bounds, settled, share_outside, thinned
+from quintrig.figure.read_lines import marks_at, staged
+from quintrig.figure.scene import Box, Mark, Scene, beside, bounds, settled, share_outside, thinned
 from quintrig.figure.sheet import columns_for, sheet
 from quintrig.figure.space import draw_space
 from quintrig.figure.style import STANDARD, Style
@@ -53,8 +54,9 @@ def comparison(
 
     All have one scale of length and one of colour. ``columns`` 0 chooses: 2 for four surfaces, else up to 3.
     """
-    width = width / style.factor
-    scene = scene or Scene()
+    width = style.across(width)
+    scene = beside(staged(scene or Scene(), replace(style, lines=None), surfaces), len(surfaces))
+    each_scene = [staged(scene, Style(lines=style.lines), [surface]) for surface in surfaces]
     columns = columns_for(width, len(surfaces), columns or (2 if len(surfaces) == 4 else 3))
     fields = facet_fields(surfaces, key, scene.cells, thresholds)
     stretch = common_limits(fields, style)
@@ -77,7 +79,7 @@ def comparison(
         draw_space(
             page.panels[index].axes(),
             [surface],
-            scene,
+            each_scene[index],
             fields=here,
             stretch=stretch,
             unit=unit,
@@ -103,7 +105,7 @@ def map_comparison(
     style: Style = STANDARD,
 ) -> Figure:
     """Return maps over (u, v) of one quantity on several surfaces, side by side on one scale of colour."""
-    width = width / style.factor
+    width, marks = style.across(width), (*marks, *marks_at(style.at))
     columns = columns_for(width, len(surfaces), columns)
     fields = map_fields(surfaces, key, thresholds=thresholds)
     stretch = common_limits(fields, style)
@@ -144,7 +146,7 @@ def code_map(
     It serves where the codes are no quantity of the table, such as where two classifications agree. Where they are of a
     trimmed ``face``, they span its loops.
     """
-    width = width / style.factor
+    width = style.across(width)
     rgb = np.array([to_rgb(colour) for colour in colours])
     side = width - 0.2
     trim = face.trim if face else ()
@@ -177,9 +179,10 @@ def projections(
 
     The side view looks along +y, the back view along -x, the top view along -z.
     """
-    width = width / style.factor
+    width = style.across(width)
     patches = several(surfaces)
-    scene = thinned(scene or Scene(isolines=7), len(patches))
+    scene = staged(scene or Scene(isolines=7), replace(style, view=None), patches)
+    scene = beside(thinned(scene, len(patches)), 3)
     fields = facet_fields(patches, key, scene.cells, thresholds)
     stretch = common_limits(fields, style)
     levels = levels_of(style, stretch)
@@ -231,8 +234,8 @@ def overlay(
 
     The net of the scene is the first surface's.
     """
-    width = width / style.factor
-    scene = scene or Scene()
+    width = style.across(width)
+    scene = staged(scene or Scene(), style, surfaces)
     colours = [SERIES[i % len(SERIES)] for i in range(len(surfaces))]
     box = bounds(surfaces, scene)
     panel = panel_size(scene.view, *box, width - 0.2, scene.frame)
