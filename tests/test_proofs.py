@@ -163,6 +163,28 @@ def test_bounds_enclose_known_extremes():
     assert radius[0] > 0.999
 
 
+@pytest.mark.parametrize(("key", "least", "most"), [("k1", -0.25, 0.5), ("k2", -1.0, -1.0)])
+def test_principal_curvatures_of_a_torus_are_enclosed(key, least, most):
+    found = quintrig.bounds(quintrig.torus(3.0, 1.0), key)
+    assert found.complete
+    assert found.minimum[0] <= least <= found.minimum[1]
+    assert found.maximum[0] <= most <= found.maximum[1]
+
+
+@pytest.mark.parametrize("key", ["k1", "k2", "curvedness", "curvature_radius"])
+def test_what_hangs_on_both_curvatures_is_enclosed_to_second_order(key):
+    # Bounds from those of H and K apart are of first order: a thousand boxes do not bring them near.
+    surface = quintrig.tensor(dome(np.random.default_rng(14), 0.02))
+    found = quintrig.bounds(surface, key, 1e-3, boxes=256)
+    assert found.complete
+    sample = quintrig.analyse(surface, *quintrig.grid(65, 65), ("k1", "k2", "curvedness"))
+    largest = np.maximum(np.abs(sample["k1"]), np.abs(sample["k2"]))
+    values = 1.0 / largest if key == "curvature_radius" else sample[key]
+    assert found.minimum[0] <= values.min() * (1.0 - 1e-12 * np.sign(values.min()))
+    if key != "curvature_radius":
+        assert found.maximum[1] >= values.max() * (1.0 - 1e-12 * np.sign(values.max()))
+
+
 def test_ruled_surfaces_never_bulge():
     rng = np.random.default_rng(3)
     first, second = (rng.normal(size=(6, 3)) + np.linspace(0.0, 9.0, 6)[:, None] * [1, 0, 0] for _ in range(2))

@@ -40,7 +40,7 @@ REMEDIES = {
     "new": "'quintrig new swept' writes one",
     "patch": "(--patch NAME)",
     "pattern": "quintrig flatten writes flat patterns, quintrig joins writes seams",
-    "quantities": "--list shows all",
+    "quantities": "'quintrig table --list' shows all",
     "replace": "choose another name, or --force to replace it",
     "sample": "add --sampling sobol or latin",
     "surfaces": "choose one with --patch, or export a mesh of all",

@@ -7,10 +7,10 @@ import numpy as np
 
 from quintrig.geometry.surface import Surface
 from quintrig.interrogation.ask import MOST, Ask, few, length, place, vector
-from quintrig.interrogation.by_level import Found, of_quantity
 from quintrig.interrogation.fields import normal_curvature
 from quintrig.interrogation.flows import Asymptotic, Flow, Geodesic, Principal
 from quintrig.interrogation.follow import Curve, both_ways
+from quintrig.interrogation.found import Found, of_quantity
 from quintrig.interrogation.geodesics import between, from_point, tangent
 from quintrig.interrogation.local import Local
 from quintrig.interrogation.nets import Net

@@ -5,8 +5,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from quintrig.geometry.surface import Surface
-from quintrig.interrogation import by_flow, by_level
+from quintrig.interrogation import by_flow, by_level, by_light, by_section
 from quintrig.interrogation.ask import Ask, length, refuse_others
+from quintrig.interrogation.found import Found
 from quintrig.interrogation.line import Line, Lines
 from quintrig.interrogation.polyline import chained
 from quintrig.interrogation.subject import Subject
@@ -23,7 +24,7 @@ _SEAM = 1e-4  # of the size: ends this near are one line
 class Kind:
     """One kind of lines: what finds them, which options it takes, and what it is in words."""
 
-    find: Callable[[Subject, Ask], by_level.Found]
+    find: Callable[[Subject, Ask], Found]
     takes: tuple[str, ...]
     words: str
 
@@ -36,19 +37,19 @@ KINDS: dict[str, Kind] = {
     "parabolic": Kind(by_level.parabolic, ("patch",), "where K = 0"),
     "mean-zero": Kind(by_level.mean_zero, ("patch",), "where H = 0"),
     "ridges": Kind(by_level.ridge_lines, ("patch", "family"), "crests and troughs, with their strength"),
-    "isophotes": Kind(by_level.isophotes, ("patch", "direction", "angles", "count"), "equal angle to the light"),
+    "isophotes": Kind(by_light.isophotes, ("patch", "direction", "angles", "count"), "equal angle to the light"),
     "reflection": Kind(
-        by_level.reflection,
+        by_light.reflection,
         ("patch", "light", "along", "eye", "direction", "spacing", "count"),
         "what parallel lights look like in the surface",
     ),
     "highlight": Kind(
-        by_level.highlight, ("patch", "light", "along", "spacing", "count"), "where the normal meets a line of light"
+        by_light.highlight, ("patch", "light", "along", "spacing", "count"), "where the normal meets a line of light"
     ),
-    "silhouette": Kind(by_level.silhouette, ("patch", "direction", "eye"), "the outline, seen from afar or a point"),
+    "silhouette": Kind(by_light.silhouette, ("patch", "direction", "eye"), "the outline, seen from afar or a point"),
     "contour": Kind(by_level.contour, ("patch", "quantity", "levels", "count"), "where a quantity has a value"),
     "section": Kind(
-        by_level.section,
+        by_section.section,
         ("patch", "normal", "through", "spacing", "count", "other"),
         "cut by a plane, a stack of planes, or another surface",
     ),
@@ -57,8 +58,8 @@ KINDS: dict[str, Kind] = {
         ("start", "patch", "direction", "length", "to", "to_patch"),
         "straight on the surface: in a direction, or between two points",
     ),
-    "iso": Kind(by_level.iso, ("patch", "u", "v", "count"), "parameter lines"),
-    "draft": Kind(by_level.draft, ("patch", "direction", "angles"), "equal draft angle to the pull direction"),
+    "iso": Kind(by_section.iso, ("patch", "u", "v", "count"), "parameter lines"),
+    "draft": Kind(by_light.draft, ("patch", "direction", "angles"), "equal draft angle to the pull direction"),
 }
 """All kinds by name."""
 
@@ -99,6 +100,6 @@ def lines(subject: Surface | Patch | Model, kind: str, *, progress: Progress | N
     )
 
 
-def _chained(found: by_level.Found, on: Subject) -> tuple[Line, ...]:
+def _chained(found: Found, on: Subject) -> tuple[Line, ...]:
     """Return the lines with their chain numbers: as they were traced, or by ends that meet."""
     return tuple(found.lines) if found.traced else chained(found.lines, _SEAM * on.size)
