@@ -104,9 +104,7 @@ def _see_help(error: Exception) -> str:
 
 def _is_ours(error: Exception) -> bool:
     """Tell whether quintrig's own code raised the error: anything deeper is a fault, not a user's mistake."""
-    if (
-        error.__cause__ is not None and type(error.__cause__).__name__ == "_RemoteTraceback"
-    ):  # from a process that draws
+    if type(error.__cause__).__name__ == "_RemoteTraceback":  # of another process, such as one that draws
         files = re.findall(r'File "(.*?)"', str(error.__cause__))
         return bool(files) and "quintrig" in Path(files[-1]).parts
     trace = error.__traceback__
