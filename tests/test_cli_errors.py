@@ -62,7 +62,7 @@ MISTAKES = [
     (["plot", BOOT, "-o", "p.png", "--view", "10,95"], "--view: expected an azimuth within ±360"),
     (["plot", BOOT, "-o", "p.png", "--view", "nan,5"], "--view: expected an azimuth within ±360"),
     (["plot", BOOT, "-o", "p.png", "--view", "flat"], "a flat map needs a quantity"),
-    (["plot", BOOT, "-o", "p.png", "--dpi", "100000"], "Invalid value for '--dpi'"),
+    (["plot", BOOT, "-o", "p.png", "--dpi", "100000"], "--dpi: expected 30 to 600 dots per inch"),
     (["plot", BOOT], "Missing option '-o'"),
     # shape parameters
     (["plot", BOOT, "-o", "p.png", "--shape", "1,1,1"], "shape: expected 4 numbers (alpha1, zeta1, alpha2, zeta2), f"),

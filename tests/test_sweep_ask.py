@@ -61,6 +61,7 @@ def test_all_designs_come_back_in_order(vases):
             lambda t: (t["gaussian_min"] < 0) & (t["area"] >= 10) & (t["area"] <= 40),
         ),
         ("not (mean_max > 0) or alpha1 = 1", lambda t: (t["mean_max"] <= 0) | (t["alpha1"] == 1)),
+        ("K_min >= -0.5 and α₁ < 0", lambda t: (t["gaussian_min"] >= -0.5) & (t["alpha1"] < 0)),
         ("singular > 0", lambda t: t["singular"] > 0),
         ("gaussian_min is null", lambda t: np.isnan(t["gaussian_min"])),
         ("area < -1", lambda t: t["area"] < -1),

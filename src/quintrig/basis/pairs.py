@@ -38,11 +38,20 @@ def names(choices: Sequence[Choice], counts: Sequence[int | None]) -> tuple[str,
     )
 
 
+_LOWERED = {0x2080 + digit: str(digit) for digit in range(10)}
+
 GREEK = {
     **{"alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "zeta": "ζ", "theta": "θ", "kappa": "κ", "lam": "λ"},
     **{"lambda": "λ", "mu": "μ", "nu": "ν", "rho": "ρ", "sigma": "σ", "tau": "τ", "phi": "φ", "omega": "ω"},
 }
 """Letters of parameters that are spelt out."""
+
+
+def key_of(name: str) -> str:
+    """Return the name of a shape parameter that is given as one reads it, such as ``alpha1`` for α1 and α₁."""
+    plain = name.translate(_LOWERED)
+    letters = plain.rstrip("0123456789_")
+    return {letter: key for key, letter in GREEK.items()}.get(letters, letters) + plain[len(letters) :]
 
 
 def symbol(name: str) -> str:

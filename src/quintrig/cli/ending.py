@@ -1,11 +1,13 @@
 """How a run ends: mistakes told in one line on stderr, exit codes, nothing more."""
 
+import re
 import signal
 import sys
 import threading
 import traceback
 from collections.abc import Callable, Generator, Sequence
 from contextlib import contextmanager
+from pathlib import Path
 from types import FrameType
 
 import typer
@@ -102,6 +104,9 @@ def _see_help(error: Exception) -> str:
 
 def _is_ours(error: Exception) -> bool:
     """Tell whether quintrig's own code raised the error: anything deeper is a fault, not a user's mistake."""
+    if type(error.__cause__).__name__ == "_RemoteTraceback":  # of another process, such as one that draws
+        files = re.findall(r'File "(.*?)"', str(error.__cause__))
+        return bool(files) and "quintrig" in Path(files[-1]).parts
     trace = error.__traceback__
     while trace is not None and trace.tb_next is not None:
         trace = trace.tb_next

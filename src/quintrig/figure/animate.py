@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from PIL import Image
 
-from quintrig.basis.pairs import symbol
+from quintrig.basis.pairs import key_of, symbol
 from quintrig.figure.camera import ViewName
 from quintrig.figure.field import common_limits, facet_fields
 from quintrig.figure.plot import CURVE_PICTURES, plot, read_quantities
@@ -97,6 +97,7 @@ def animate(
         raise ArgumentError(f"expected 2 to {MOST} frames, found {frames}", "frames")
     if not 0.1 <= rate <= 60.0:
         raise ArgumentError(f"expected 0.1 to 60 frames a second, found {rate:g}", "rate")
+    parameter = key_of(parameter)
     axis = _axis(model, parameter, low, high, frames)
     designs = [_design(model, parameter, float(value)) for value in axis.values]
     names = [quantity] if isinstance(quantity, str) else list(quantity)

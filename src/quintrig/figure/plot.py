@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from quintrig.analysis.sample import Sample
 from quintrig.figure.along import curvature_plot, torsion_plot
-from quintrig.figure.camera import ViewName
+from quintrig.figure.camera import ViewName, read_view
 from quintrig.figure.compared import projections
 from quintrig.figure.curve import plane_curves
 from quintrig.figure.deviation import deviation_picture
@@ -106,6 +106,7 @@ def plot(
     they name. ``width`` is in inches, or "84 mm", "column", "page". With ``axes`` of matplotlib the picture alone is
     drawn there. ``save`` writes a .png, .svg, .pdf or .eps. Raises ValueError for what cannot be drawn.
     """
+    seen = None if view is None else read_view(view, ("all", "flat"))
     chosen = changed(
         style_named(style) if isinstance(style, str) else style,
         title=title,
@@ -116,7 +117,7 @@ def plot(
         levels=levels if levels is None or isinstance(levels, int) else tuple(levels),
         font=font,
         size=size,
-        view=None if view in ("all", "flat") else view,
+        view=None if view in ("all", "flat") else seen,
         net=net,
         lines=None if isinstance(lines, Lines) else lines,
         at=tuple(at) or None,

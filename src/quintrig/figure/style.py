@@ -93,6 +93,12 @@ class Style:
             object.__setattr__(self, "width", inches(self.width))
         if isinstance(self.lines, int) and not 0 <= self.lines <= MOST_LINES:
             raise ArgumentError(f"expected 0 to {MOST_LINES}, or a kind of lines, found {self.lines}", "lines")
+        if isinstance(self.lines, str):
+            from quintrig.interrogation.find import ALIASES, KINDS
+
+            if ALIASES.get(self.lines, self.lines) not in KINDS:
+                known = nearest(self.lines, [*KINDS, *ALIASES]) or f"; such as {', '.join([*KINDS][:4])}"
+                raise ArgumentError(f"{self.lines[:40]!r} is no kind of lines{known}", "lines")
         if self.dpi is not None and not LEAST_DPI <= self.dpi <= MOST_DPI:
             raise ArgumentError(f"expected {LEAST_DPI} to {MOST_DPI} dots per inch, found {self.dpi}", "dpi")
 

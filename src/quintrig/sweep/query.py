@@ -1,13 +1,17 @@
 """Questions to a sweep: which designs meet a condition, and which of them are best."""
 
+import re
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from quintrig.basis.pairs import key_of
+from quintrig.quantities.table import quantity
 from quintrig.support.arrays import FloatArray
-from quintrig.support.errors import QuintrigError, nearest
+from quintrig.support.errors import ArgumentError, QuintrigError, nearest
 from quintrig.support.extras import need
 from quintrig.sweep.part import Task
 from quintrig.sweep.store import Sweep
@@ -21,12 +25,18 @@ class Question:
     """Which designs, in which order: those that meet ``where``, by the column ``best``, least first.
 
     ``where`` is a condition in SQL on the columns, such as ``gaussian_min >= 0 AND area < 12``. Lengths are in the
-    model's unit. A design where a column is undefined meets no condition on it, and comes last in its order.
+    model's unit. A design where a column is undefined meets no condition on it, and comes last in its order. Columns
+    may be called by symbols too: ``K_min``, ``κ1_max``, ``α1``.
     """
 
     where: str = ""
     best: str = ""
     descending: bool = False
+
+    def __post_init__(self) -> None:
+        """Replace symbols by the names of columns."""
+        object.__setattr__(self, "where", re.sub(r"[^\W\d]\w*", lambda word: _column(word[0]), self.where))
+        object.__setattr__(self, "best", _column(self.best))
 
     def check(self, task: Task) -> None:
         """Raise QuintrigError for a condition that cannot be read or an unknown column, before anything is computed."""
@@ -61,6 +71,16 @@ class Question:
         if self.best:
             table = table.sort(self.best, descending=self.descending, nulls_last=True, maintain_order=True)
         return table
+
+
+def _column(word: str) -> str:
+    """Return the column that a word with a symbol in it means, or the word."""
+    what, _, end = word.rpartition("_")
+    if end not in ("min", "max", "mean"):
+        return key_of(word)
+    with suppress(ArgumentError):
+        return f"{quantity(what).key}_{end}"
+    return word
 
 
 def count(sweep: Sweep, question: Question) -> int:

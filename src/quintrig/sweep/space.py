@@ -7,6 +7,7 @@ from typing import Any, Literal, cast
 
 import numpy as np
 
+from quintrig.basis.pairs import key_of
 from quintrig.model.patch import NamedCurve, Patch
 from quintrig.support.arrays import FloatArray
 from quintrig.support.errors import ArgumentError, ModelError, nearest
@@ -59,7 +60,7 @@ def parse_axis(text: str) -> Axis:
     Raises ValueError for anything else, an empty or a reversed range.
     """
     name, found, rest = text.partition("=")
-    name, parts = name.strip(), rest.split(":")
+    name, parts = key_of(name.strip()), rest.split(":")
     form = ArgumentError("expected name=low:high:count, such as alpha1=-4:1:21", "axis", repr(text))
     if not found or not name or len(parts) not in (1, 2, 3):
         raise form
