@@ -25,6 +25,12 @@ _OUTLIER = 6.0
 """Standard deviations, by the median, beyond which a point of a scan counts no more."""
 
 
+_LEAST_SLIDE = 1e-9
+"""Of the weight of distances across the surface: that of sliding along it, where a fit is nearly there."""
+
+_BROUGHT_BACK, _ASTRAY = 3, 1e3
+"""How often a step is brought back onto the points, and from how many times the rms before it."""
+
 _UNREACHED = 0.05
 """Of the size: as far beyond the border of a surface a point still draws it."""
 
@@ -90,32 +96,44 @@ def refined(
     form: Form, data: Data, state: State, free: bool, rounds: int, exact: float = 1e-5, but: int | None = None
 ) -> State:
     """Return the fit that distances cannot be made less from; ``free`` lets the shape parameters move, ``but`` one."""
-    best, slide = state, 0.3
-    here = state
-    stuck = 0
+    here = _at(form, state, data)
+    slide, stuck = 0.3, 0
     for _ in range(rounds):
-        feet = _feet(form, here, data)
-        weights = _trusted(feet, data)
-        rms = _rms(feet, weights)
-        if rms < best.rms * (1.0 + 1e-12):
-            gained = best.rms - rms
-            best = replace(here, rms=rms)
-            slide = max(0.3 * slide, 1e-4)
-            stuck = stuck + 1 if gained < exact * rms else 0
+        if stuck >= 4 or here.rms < 1e-13:
+            break
+        there = _at(form, _stepped(form, here, data, slide, free, but), data)
+        # The surface slid along itself, and a straight step leaves it by the square of that: it is brought back.
+        for _ in range(_BROUGHT_BACK):
+            if not here.rms < there.rms < _ASTRAY * here.rms:
+                break
+            back = _at(form, _stepped(form, there, data, 10.0 * slide, free, but), data)
+            if not back.rms < there.rms:
+                break
+            there = back
+        if there.rms < here.rms:
+            stuck = stuck + 1 if here.rms - there.rms < exact * here.rms else 0
+            here = there
+            slide = max(0.2 * slide, _LEAST_SLIDE)
         else:
             slide = min(10.0 * slide, 10.0)
             stuck += 1
-            here = best
-            feet = _feet(form, here, data)
-            weights = _trusted(feet, data)
-        if stuck >= 4 or rms < 1e-14:
-            break
-        here = _stepped(form, here, feet, data, weights, slide, free, but)
-    else:
-        feet = _feet(form, here, data)
-        rms = _rms(feet, _trusted(feet, data))
-        best = replace(here, rms=rms) if rms < best.rms else best
-    return best
+    return replace(here.state, rms=here.rms)
+
+
+@dataclass(frozen=True, eq=False)
+class _Step:
+    """A state with the feet of the points on it, the weights of those that are trusted, and the rms that they leave."""
+
+    state: State
+    feet: Feet
+    weights: FloatArray
+    rms: float
+
+
+def _at(form: Form, state: State, data: Data) -> _Step:
+    feet = _feet(form, state, data)
+    weights = _trusted(feet, data)
+    return _Step(state, feet, weights, _rms(feet, weights))
 
 
 def spread(form: Form, data: Data, state: State) -> tuple[FloatArray, FloatArray]:
@@ -196,27 +214,20 @@ def _made(form: Form, state: State, feet: Feet, data: Data, weights: FloatArray,
     return _system(form, state.q, state.theta, feet.which, at, weight, feet.away, data.smooth, free)
 
 
-def _stepped(
-    form: Form,
-    state: State,
-    feet: Feet,
-    data: Data,
-    weights: FloatArray,
-    slide: float,
-    free: bool,
-    but: int | None = None,
-) -> State:
+def _stepped(form: Form, here: _Step, data: Data, slide: float, free: bool, but: int | None) -> State:
+    """Return the state one step on; ``slide`` is how much points may not slide along the surface meanwhile."""
+    state = here.state
     free = free and len(state.theta) > 0
-    made = _made(form, state, feet, data, weights, slide, free)
+    made = _made(form, state, here.feet, data, here.weights, slide, free)
     theta = state.theta
     shift = np.zeros(len(theta))
+    low = np.array([one.low + (1e-6 if one.open[0] else 0.0) for one in form.ranges.values()])
+    high = np.array([one.high - (1e-6 if one.open[1] else 0.0) for one in form.ranges.values()])
     if free:
         # The net's part of the equations is eliminated: what remains is in the shape parameters alone.
         schur = made.shape - made.mixed.T @ _solved(made.net, made.mixed)
         right = made.to_shape - made.mixed.T @ _solved(made.net, made.to_net)
         schur = schur + slide * np.diag(np.abs(np.diag(schur))) + 1e-9 * np.diag(np.diag(made.shape))
-        low = np.array([one.low + (1e-6 if one.open[0] else 0.0) for one in form.ranges.values()])
-        high = np.array([one.high - (1e-6 if one.open[1] else 0.0) for one in form.ranges.values()])
         lowest, highest = low - theta, high - theta
         if but is not None:
             lowest[but] = highest[but] = 0.0
