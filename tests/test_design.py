@@ -11,7 +11,7 @@ from cli_runner import quintrig as run
 from quintrig.shaping.conditions import InTotal, OnSurface, integral, on_surface, regular
 from quintrig.shaping.demands import demands
 from quintrig.shaping.places import Passing, TangentPlane, Twist, near
-from quintrig.shaping.unknowns import Range, unknowns
+from quintrig.shaping.unknowns import Range, as_it_is, unknowns
 from quintrig.support.errors import QuintrigError
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
@@ -82,6 +82,15 @@ def test_the_smallest_cylinder_that_bends_as_little_as_allowed():
     assert radius >= 3.0 - 1e-9
     assert found.outcomes[0].binds
     assert found.after == pytest.approx(2 * np.pi * radius * 40.0, rel=1e-6)
+
+
+def test_a_margin_moves_the_bound_itself_also_where_all_points_are_umbilics():
+    (demand,) = demands("curvature_radius >= 3 cm", "mm")
+    for radius, kept in ((30.0, False), (30.0 * (1 + 2e-6), True), (29.99, False)):
+        patch = quintrig.Model.from_dict({"kind": "sphere", "unit": "mm", "radius": radius}).patch()
+        one = on_surface(demand, patch.surface)
+        assert (one.values(as_it_is(patch))[0].min() >= 0) == kept
+        assert 0 < one.defined.sum() < one.defined.size  # the poles have no tangent plane
 
 
 def test_the_least_change_through_a_point_is_that_of_the_mass_matrix():

@@ -139,6 +139,12 @@ def test_signs_sides_and_borders():
         found["beta0"]
 
 
+def test_import_lists_a_scan_of_any_format(tmp_path):
+    for name, text in (("a.csv", "x,y,z\n0,0,0\n1,0,0\n0,1,0\n"), ("b.xyz", "# unit mm\n0 0 0\n1 0 0\n0 1 0\n")):
+        (tmp_path / name).write_text(text, encoding="utf-8")
+        assert "points 3" in RUN("import", tmp_path / name, "--list").out
+
+
 def test_commands_take_a_scan_as_they_take_a_model(tmp_path):
     points, gaussian, _ = torus(1200)
     file = tmp_path / "scan.xyz"
@@ -167,6 +173,19 @@ def test_commands_take_a_scan_as_they_take_a_model(tmp_path):
         done = RUN(*arguments)
         assert (done.code, done.out) == (2, "")
         assert words in done.err
+
+
+def test_a_scan_its_curvature_and_a_deviation_are_plotted():
+    t = np.linspace(0, 1, 12)
+    surface = quintrig.sphere(5.0)
+    scan = quintrig.Scan(surface(0.2 + 0.2 * t[:, None], 0.2 * t).reshape(-1, 3), unit="mm", name="cap")
+    found = quintrig.scan_curvature(scan)
+    for subject, names, axes in ((scan, "surface", 1), (scan, ["K", "mean"], 4), (found, "gaussian", 2)):
+        assert len(quintrig.plot(subject, names).axes) == axes  # each with its scale
+    title = quintrig.plot(quintrig.deviation(surface, scan), heading="cap").get_suptitle()
+    assert title == "cap"
+    with pytest.raises(ValueError, match="axes"):
+        quintrig.plot(scan, axes=object())
 
 
 def test_the_table_of_a_surface_is_read_back_by_the_names_of_its_columns(tmp_path):

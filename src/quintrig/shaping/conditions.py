@@ -88,13 +88,13 @@ class OnSurface:
     def values(self, state: State) -> tuple[FloatArray, FloatArray]:
         """Return the forms at the points seen, less the margin, and their gradients."""
         u, v = (part[self.seen] for part in grid_points())
-        found, gradients = self.demand.slack_and_gradient(state.partials(u, v), state.surface.sign, self.size)
-        return found.ravel() - MARGIN, np.concatenate([state.pulled(u, v, one) for one in gradients])
+        found, gradients = self.demand.slack_and_gradient(state.partials(u, v), state.surface.sign, self.size, MARGIN)
+        return found.ravel(), np.concatenate([state.pulled(u, v, one) for one in gradients])
 
-    def _slack(self, state: State) -> tuple[FloatArray, FloatArray]:
+    def _slack(self, state: State, margin: float = 0.0) -> tuple[FloatArray, FloatArray]:
         partials = state.partials(*grid_points())
         with np.errstate(invalid="ignore"):
-            found = self.demand.slack(partials, state.surface.sign, self.size).min(axis=0)
+            found = self.demand.slack(partials, state.surface.sign, self.size, margin).min(axis=0)
         found = np.where(self.defined, np.where(np.isnan(found), -1e6, found), np.inf)
         return found, self.demand.measured(partials, state.surface.sign)
 
@@ -110,13 +110,13 @@ class OnSurface:
 
     def exchange(self, state: State) -> bool:
         """Add the worst point of each part of the surface where it fails."""
-        slack = self._slack(state)[0].reshape(GRID, GRID)
+        slack = self._slack(state, 0.5 * MARGIN)[0].reshape(GRID, GRID)
         added: list[int] = []
         for rows in np.array_split(np.arange(GRID), 4):
             for columns in np.array_split(np.arange(GRID), 4):
                 part = slack[np.ix_(rows, columns)]
                 i, j = np.unravel_index(int(part.argmin()), part.shape)
-                if part[i, j] < 0.5 * MARGIN:
+                if part[i, j] < 0.0:
                     added.append(int(rows[i] * GRID + columns[j]))
         fresh = np.setdiff1d(np.array(added, np.int64), self.seen)
         self.seen = np.concatenate([self.seen, fresh])

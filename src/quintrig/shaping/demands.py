@@ -81,14 +81,19 @@ class Demand:
             }
         return values[self.key]
 
-    def slack(self, partials: FloatArray, sign: float, size: float) -> FloatArray:
-        """Return what is to be 0 or more at points, of derivatives (6, k, 3): (forms, k), scaled by the size."""
-        if self.key in ANGLES:
-            return np.stack([value for value, _ in self._tilts(_upward(partials, sign))])
-        gauss, mean = _curvatures(partials, sign)
-        return np.stack([value for value, _, _ in self._forms(size)(gauss * size**2, mean * size)])
+    def slack(self, partials: FloatArray, sign: float, size: float, margin: float = 0.0) -> FloatArray:
+        """Return what is to be 0 or more at points, of derivatives (6, k, 3): (forms, k), scaled by the size.
 
-    def slack_and_gradient(self, partials: FloatArray, sign: float, size: float) -> tuple[FloatArray, list[FloatArray]]:
+        ``margin``, scaled too, is by how much more than the bound is asked for.
+        """
+        if self.key in ANGLES:
+            return np.stack([value for value, _ in self._tilts(_upward(partials, sign))]) - margin
+        gauss, mean = _curvatures(partials, sign)
+        return np.stack([value for value, _, _ in self._forms(size, margin)(gauss * size**2, mean * size)])
+
+    def slack_and_gradient(
+        self, partials: FloatArray, sign: float, size: float, margin: float = 0.0
+    ) -> tuple[FloatArray, list[FloatArray]]:
         """Return ``slack`` and the gradient of each form by the derivatives, (6, k, 3)."""
         at = forms(partials[1:])
         area = np.maximum(at.area2, np.finfo(float).tiny)
@@ -102,10 +107,10 @@ class Demand:
                 cross[:, 2] = slope * sign / np.sqrt(area)
                 gradient = pulled_back(at, nothing, nothing, slope * -0.5 * up / area, cross)
                 gradients.append(np.concatenate([np.zeros_like(partials[:1]), gradient]))
-                values.append(value)
+                values.append(value - margin)
             return np.stack(values), gradients
         gauss, mean = at.gauss / area**2, 0.5 * sign * at.mean / area**1.5
-        for value, by_gauss, by_mean in self._forms(size)(gauss * size**2, mean * size):
+        for value, by_gauss, by_mean in self._forms(size, margin)(gauss * size**2, mean * size):
             k, h = by_gauss * size**2, by_mean * size
             by_area = -2.0 * k * gauss / area - 1.5 * h * mean / area
             gradient = pulled_back(at, k / area**2, 0.5 * sign * h / area**1.5, by_area)
@@ -122,12 +127,12 @@ class Demand:
         steep = np.where(up < 0.0, -1.0, 1.0)  # slope is that of the tangent plane, whichever way the normal points
         return [(-self.sign * (steep * up - c), -self.sign * steep)]
 
-    def _forms(self, size: float) -> Pointwise:
-        scaled = self.bound * size ** -CURVATURES[self.key]
+    def _forms(self, size: float, margin: float) -> Pointwise:
+        # The bound itself is moved: a product such as (c - κ1)(c - κ2) falls with the square of what is left.
         if self.key == "curvature_radius":
-            c = size / self.bound
+            c = size / self.bound - self.sign * margin
             return _within(c) if self.sign > 0 else _one_beyond(c)
-        return _FORMS[self.key, self.sign](scaled)
+        return _FORMS[self.key, self.sign](self.bound * size ** -CURVATURES[self.key] + self.sign * margin)
 
 
 # A form of K and H: its value, and its derivatives by K and by H.

@@ -209,7 +209,7 @@ class _Work:
         ranked = sorted(tried, key=lambda one: one.rms)[:2]
         done = [solve.refined(form, main, replace(one, rms=np.inf), False, 30, 1e-4) for one in ranked]
         best = min(done, key=lambda one: one.rms)
-        best = solve.refined(form, main, best, self.free, 60)
+        best = solve.refined(form, main, best, self.free, 80)
         self._single = form, best
         return self._single
 

@@ -175,6 +175,9 @@ class TangentPlane:
         return False
 
 
+_SPARE = 2e-5  # of the sine of a turn: more than the search is off, so that the angle asked for is kept
+
+
 @dataclass(eq=False)
 class Twist:
     """Normals turn by at most ``angle`` degrees along any ruling, u = const: seen at the rulings ``seen`` of 513."""
@@ -215,7 +218,8 @@ class Twist:
             u, np.ones_like(u), np.stack([by_r, by_b, zero])
         )
         most = np.sin(np.radians(self.angle))
-        return np.concatenate([most - sine, most + sine]) - MARGIN, np.concatenate([-rows, rows])
+        most -= min(_SPARE, 0.02 * most)
+        return np.concatenate([most - sine, most + sine]), np.concatenate([-rows, rows])
 
     def _turned(self, state: State) -> FloatArray:
         """Return by how much normals turn along each ruling, degrees."""

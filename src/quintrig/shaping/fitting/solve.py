@@ -9,22 +9,23 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from quintrig.basis.functions import Functions
 from quintrig.scan.nearest import Feet, Finder
-from quintrig.shaping.fitting import gram_jit
+from quintrig.shaping.fitting.equations import System, points_on, system_of
 from quintrig.shaping.fitting.forms import Form
 from quintrig.support.arrays import BoolArray, FloatArray
 from quintrig.support.progress import Progress
-from quintrig.support.scipy_inside import linalg_, optimize_, shortest, sparse_, tree_of
-
-_LEAST_SMOOTH = 1e-9
-"""Thin-plate energy beside the distances, of their weight: it decides only where no point does."""
+from quintrig.support.scipy_inside import linalg_, optimize_, shortest, tree_of
 
 _OUTLIER = 6.0
 """Standard deviations, by the median, beyond which a point of a scan counts no more."""
 
+
+_LEAST_SLIDE = 1e-9
+"""Of the weight of distances across the surface: that of sliding along it, where a fit is nearly there."""
+
+_BROUGHT_BACK, _ASTRAY = 3, 1e3
+"""How often a step is brought back onto the points, and from how many times the rms before it."""
 
 _UNREACHED = 0.05
 """Of the size: as far beyond the border of a surface a point still draws it."""
@@ -61,17 +62,6 @@ class State:
     rms: float = np.inf
 
 
-@dataclass(frozen=True, eq=False)
-class System:
-    """Normal equations: of the net ``net``, of the shape ``shape``, ``mixed``, and the right sides."""
-
-    net: FloatArray
-    mixed: FloatArray
-    shape: FloatArray
-    to_net: FloatArray
-    to_shape: FloatArray
-
-
 def begun(form: Form, data: Data, at: FloatArray) -> State:
     """Return the linear least-squares fit at given parameters (n, 2)."""
     theta = form.starts
@@ -86,8 +76,8 @@ def begun(form: Form, data: Data, at: FloatArray) -> State:
     weight = data.weights[:, None, None] * np.eye(3)
     base = form.nets(zero)
     u, v = form.families(theta)
-    away = data.points - _points(base, which, u, v, local)
-    made = _system(form, zero, theta, which, local, weight, away, max(data.smooth, 1e-6), free=False)
+    away = data.points - points_on(base, which, u, v, local)
+    made = system_of(form, zero, theta, which, local, weight, away, max(data.smooth, 1e-6), free=False)
     return State(_solved(made.net, made.to_net), theta)
 
 
@@ -95,34 +85,46 @@ def refined(
     form: Form, data: Data, state: State, free: bool, rounds: int, exact: float = 1e-5, but: int | None = None
 ) -> State:
     """Return the fit that distances cannot be made less from; ``free`` lets the shape parameters move, ``but`` one."""
-    best, slide = state, 0.3
-    here = state
-    stuck = 0
+    here = _at(form, state, data)
+    slide, stuck = 0.3, 0
     for number in range(rounds):
         if data.progress:
             data.progress(f"fitting {form.patches or 1} patch{'es' if form.patches > 1 else ''}", number, rounds)
-        feet = _feet(form, here, data)
-        weights = _trusted(feet, data)
-        rms = _rms(feet, weights)
-        if rms < best.rms * (1.0 + 1e-12):
-            gained = best.rms - rms
-            best = replace(here, rms=rms)
-            slide = max(0.3 * slide, 1e-4)
-            stuck = stuck + 1 if gained < exact * rms else 0
+        if stuck >= 4 or here.rms < 1e-13:
+            break
+        there = _at(form, _stepped(form, here, data, slide, free, but), data)
+        # The surface slid along itself, and a straight step leaves it by the square of that: it is brought back.
+        for _ in range(_BROUGHT_BACK):
+            if not here.rms < there.rms < _ASTRAY * here.rms:
+                break
+            back = _at(form, _stepped(form, there, data, 10.0 * slide, free, but), data)
+            if not back.rms < there.rms:
+                break
+            there = back
+        if there.rms < here.rms:
+            stuck = stuck + 1 if here.rms - there.rms < exact * here.rms else 0
+            here = there
+            slide = max(0.2 * slide, _LEAST_SLIDE)
         else:
             slide = min(10.0 * slide, 10.0)
             stuck += 1
-            here = best
-            feet = _feet(form, here, data)
-            weights = _trusted(feet, data)
-        if stuck >= 4 or rms < 1e-14:
-            break
-        here = _stepped(form, here, feet, data, weights, slide, free, but)
-    else:
-        feet = _feet(form, here, data)
-        rms = _rms(feet, _trusted(feet, data))
-        best = replace(here, rms=rms) if rms < best.rms else best
-    return best
+    return replace(here.state, rms=here.rms)
+
+
+@dataclass(frozen=True, eq=False)
+class _Step:
+    """A state with the feet of the points on it, the weights of those that are trusted, and the rms that they leave."""
+
+    state: State
+    feet: Feet
+    weights: FloatArray
+    rms: float
+
+
+def _at(form: Form, state: State, data: Data) -> _Step:
+    feet = _feet(form, state, data)
+    weights = _trusted(feet, data)
+    return _Step(state, feet, weights, _rms(feet, weights))
 
 
 def spread(form: Form, data: Data, state: State) -> tuple[FloatArray, FloatArray]:
@@ -181,15 +183,6 @@ def _trusted(feet: Feet, data: Data) -> FloatArray:
     return np.where(far, 0.0, data.weights) if 0 < far.sum() < 0.3 * len(gap) else data.weights
 
 
-def _points(nets: FloatArray, which: NDArray[np.int64], u: Functions, v: Functions, at: FloatArray) -> FloatArray:
-    one, other = u.derivatives(at[:, 0], 0)[0], v.derivatives(at[:, 1], 0)[0]
-    result = np.empty((len(at), 3))
-    for index, net in enumerate(nets):
-        mine = which == index
-        result[mine] = np.einsum("ni,nj,ijx->nx", one[mine], other[mine], net, optimize=True)
-    return result
-
-
 def _made(form: Form, state: State, feet: Feet, data: Data, weights: FloatArray, slide: float, free: bool) -> System:
     normal = feet.normal
     along = normal[:, :, None] * normal[:, None, :]
@@ -200,38 +193,30 @@ def _made(form: Form, state: State, feet: Feet, data: Data, weights: FloatArray,
         along[feet.edge] = np.eye(3) - beside[:, :, None] * beside[:, None, :]
     weight = weights[:, None, None] * (slide * np.eye(3) + (1.0 - slide) * along)
     at = np.stack([feet.u, feet.v], axis=1)
-    return _system(form, state.q, state.theta, feet.which, at, weight, feet.away, data.smooth, free)
+    return system_of(form, state.q, state.theta, feet.which, at, weight, feet.away, data.smooth, free)
 
 
-def _stepped(
-    form: Form,
-    state: State,
-    feet: Feet,
-    data: Data,
-    weights: FloatArray,
-    slide: float,
-    free: bool,
-    but: int | None = None,
-) -> State:
+def _stepped(form: Form, here: _Step, data: Data, slide: float, free: bool, but: int | None) -> State:
+    """Return the state one step on; ``slide`` is how much points may not slide along the surface meanwhile."""
+    state = here.state
     free = free and len(state.theta) > 0
-    made = _made(form, state, feet, data, weights, slide, free)
+    made = _made(form, state, here.feet, data, here.weights, slide, free)
     theta = state.theta
-    moved, shift = theta, np.zeros(len(theta))
+    shift = np.zeros(len(theta))
+    low = np.array([one.low + (1e-6 if one.open[0] else 0.0) for one in form.ranges.values()])
+    high = np.array([one.high - (1e-6 if one.open[1] else 0.0) for one in form.ranges.values()])
     if free:
         # The net's part of the equations is eliminated: what remains is in the shape parameters alone.
         schur = made.shape - made.mixed.T @ _solved(made.net, made.mixed)
         right = made.to_shape - made.mixed.T @ _solved(made.net, made.to_net)
         schur = schur + slide * np.diag(np.abs(np.diag(schur))) + 1e-9 * np.diag(np.diag(made.shape))
-        low = np.array([one.low + (1e-6 if one.open[0] else 0.0) for one in form.ranges.values()])
-        high = np.array([one.high - (1e-6 if one.open[1] else 0.0) for one in form.ranges.values()])
         lowest, highest = low - theta, high - theta
         if but is not None:
             lowest[but] = highest[but] = 0.0
         shift = _bounded(schur, right, lowest, highest, 0.5 * (high - low))
         shift = np.clip(shift, lowest, highest)
-        moved = np.clip(theta + shift, low, high)
     net = _solved(made.net, made.to_net - made.mixed @ shift if free else made.to_net)
-    return State(state.q + net, moved)
+    return State(state.q + net, np.clip(theta + shift, low, high) if free else theta)
 
 
 def _bounded(matrix: FloatArray, right: FloatArray, low: FloatArray, high: FloatArray, most: FloatArray) -> FloatArray:
@@ -255,88 +240,6 @@ def _solved(matrix: FloatArray, right: FloatArray) -> FloatArray:
     except np.linalg.LinAlgError:
         found = shortest(scaled, wide * scale[:, None], rcond=1e-12)
     return (found * scale[:, None]).reshape(right.shape)
-
-
-def _system(
-    form: Form,
-    q: FloatArray,
-    theta: FloatArray,
-    which: NDArray[np.int64],
-    at: FloatArray,
-    weight: FloatArray,
-    away: FloatArray,
-    smooth: float,
-    free: bool,
-) -> System:
-    """Return the normal equations of Σ rᵀ W r, r = away - the surface's change, with thin-plate energy."""
-    u, v = form.families(theta)
-    n, m = form.shape
-    size = n * m
-    count = len(theta) if free else 0
-    nets = form.nets(q)
-    one, other = u.derivatives(at[:, 0], 0)[0], v.derivatives(at[:, 1], 0)[0]
-    moves = _moves(form, theta, at, which, nets) if count else np.zeros((0, len(at), 3))
-    blocks: list[FloatArray] = []
-    mixed = np.zeros((form.patches, size, 3, count))
-    to_net = np.zeros((form.patches, size, 3))
-    pulled = np.einsum("nxy,ny->nx", weight, away)
-    turned = np.einsum("nxy,kny->knx", weight, moves)
-    for index in range(form.patches):
-        mine = which == index if form.patches > 1 else slice(None)
-        every = (one[mine], other[mine], weight[mine], pulled[mine], turned[:, mine])
-        ways = [np.ascontiguousarray(part) for part in every]
-        sums, own, both = np.zeros((6, size, size)), np.zeros((size, 3)), np.zeros((size, 3, count))
-        gram_jit.gram(ways[0], ways[1], ways[2], ways[3], ways[4], np.empty(size), sums, own, both)
-        to_net[index], mixed[index] = own, both
-        sums += np.triu(sums, 1).transpose(0, 2, 1)
-        block = np.empty((size, 3, size, 3))
-        pairs = [(x, y) for x in range(3) for y in range(x, 3)]
-        for (x, y), product in zip(pairs, sums, strict=True):
-            block[:, x, :, y] = block[:, y, :, x] = product
-        blocks.append(block.reshape(3 * size, 3 * size))
-    slopes = form.slopes(q)
-    energy = np.kron(_thin_plate(u, v), np.eye(3))
-    whole = sum(float(np.trace(block)) for block in blocks) or 1.0
-    factor = max(smooth, _LEAST_SMOOTH) * whole / (form.patches * float(np.trace(energy)) or 1.0)
-    stacked = sparse_.block_diag([block + factor * energy for block in blocks], format="csr")
-    bent = (factor * (nets.reshape(form.patches, -1) @ energy)).ravel()
-    net = np.asarray((slopes.T @ stacked @ slopes).todense())
-    right = np.asarray(slopes.T @ (to_net.ravel() - bent))
-    if form.kind == "swung":  # scaling r up and (x, y) down changes nothing
-        net = net + 1e-10 * float(np.trace(net)) / len(net) * np.eye(len(net))
-    return System(
-        net,
-        np.asarray(slopes.T @ mixed.reshape(3 * size * form.patches, count)),
-        np.einsum("knx,lnx->kl", moves, turned),
-        right,
-        np.einsum("knx,nx->k", moves, pulled),
-    )
-
-
-def _moves(form: Form, theta: FloatArray, at: FloatArray, which: NDArray[np.int64], nets: FloatArray) -> FloatArray:
-    """Return the derivatives (k, n, 3) of the points by the shape parameters; differences are exact where affine."""
-    result = np.empty((len(theta), len(at), 3))
-    for k, one in enumerate(form.ranges.values()):
-        step = 1e-3 * (one.high - one.low)
-        low, high = theta.copy(), theta.copy()
-        low[k] = max(theta[k] - step, one.low + (1e-9 if one.open[0] else 0.0))
-        high[k] = min(theta[k] + step, one.high - (1e-9 if one.open[1] else 0.0))
-        ends = [_points(nets, which, *form.families(value), at) for value in (low, high)]
-        result[k] = (ends[1] - ends[0]) / (high[k] - low[k])
-    return result
-
-
-def _thin_plate(u: Functions, v: Functions) -> FloatArray:
-    """Return the quadratic form of ∫∫ |S_uu|² + 2 |S_uv|² + |S_vv|² du dv in one coordinate of the net."""
-    nodes, weights = np.polynomial.legendre.leggauss(16)
-    t, w = 0.5 * (nodes + 1.0), 0.5 * weights
-    grams = [
-        [np.einsum("n,ni,nj->ij", w, d[k], d[k]) for k in range(3)] for d in (u.derivatives(t, 2), v.derivatives(t, 2))
-    ]
-    (a0, a1, a2), (b0, b1, b2) = grams
-    pairs = ((1.0, a2, b0), (2.0, a1, b1), (1.0, a0, b2))
-    both: Any = sum(w * np.einsum("ij,kl->ikjl", a, b) for w, a, b in pairs)
-    return np.asarray(both).reshape(len(a0) * len(b0), -1)
 
 
 def _swung_start(form: Form, data: Data, at: FloatArray) -> FloatArray:
