@@ -24,8 +24,8 @@ _OUTLIER = 6.0
 _LEAST_SLIDE = 1e-9
 """Of the weight of distances across the surface: that of sliding along it, where a fit is nearly there."""
 
-_BROUGHT_BACK, _ASTRAY = 3, 1e3
-"""How often a step is brought back onto the points, and from how many times the rms before it."""
+_BROUGHT_BACK, _BEYOND, _ASTRAY = 3, 1.001, 1e3
+"""How often a step is brought back onto the points, and from how many times the rms before it, at least and at most."""
 
 _UNREACHED = 0.05
 """Of the size: as far beyond the border of a surface a point still draws it."""
@@ -95,7 +95,7 @@ def refined(
         there = _at(form, _stepped(form, here, data, slide, free, but), data)
         # The surface slid along itself, and a straight step leaves it by the square of that: it is brought back.
         for _ in range(_BROUGHT_BACK):
-            if not here.rms < there.rms < _ASTRAY * here.rms:
+            if not _BEYOND * here.rms < there.rms < _ASTRAY * here.rms:
                 break
             back = _at(form, _stepped(form, there, data, 10.0 * slide, free, but), data)
             if not back.rms < there.rms:
