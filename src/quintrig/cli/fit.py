@@ -1,6 +1,7 @@
 """``quintrig fit``: a surface or a curve through measured points."""
 
 import json
+import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
@@ -121,7 +122,7 @@ def fit(
     }
     try:
         with session.progress() as progress:
-            told = patient(progress)
+            told = patient(progress) if sys.stderr.isatty() else None  # a fit is too short for a log
             result = lay(scan, chosen, name=output.stem if output else target.stem, progress=told, **asked)
     except ValueError as error:
         if str(error).startswith("points:"):
