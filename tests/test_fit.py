@@ -151,6 +151,37 @@ def test_edges_follow_the_border_or_are_held_to_curves():
     assert quintrig.deviation(held.model, rim).rms < 0.2 * quintrig.deviation(free.model, rim).rms
 
 
+@pytest.mark.parametrize(
+    ("kind", "patches"), [("tensor", (1, 1)), ("tensor", (2, 1)), ("symmetric", (1, 1)), ("swept", (1, 1))]
+)
+def test_corners_are_passed_through(kind, patches):
+    surface = quintrig.Model.from_dict(parse(starter(kind), ".toml")).surface
+    noise = 1e-4 * surface.size
+    # turned by a quarter, so that no first guess has them by luck
+    corners = np.array([surface(*at) for at in ((1, 0), (1, 1), (0, 1), (0, 0))])
+    if kind == "symmetric":  # whose u runs across the mirror
+        corners = np.roll(corners, -1, axis=0)
+    asked = {"patches": patches} if patches != (1, 1) else {}
+    fit = quintrig.fit(measured(surface, 400, noise), kind, corners=corners, **asked)
+    parts = [one.surface for one in fit.model.patches]
+    nu, nv = patches
+    ends = [parts[0](0, 0), parts[(nu - 1) * nv](1, 0), parts[-1](1, 1), parts[nv - 1](0, 1)]
+    np.testing.assert_allclose(ends, corners, rtol=0, atol=1e-9 * surface.size)
+    assert fit.rms < 1.5 * noise
+
+
+def test_corners_that_a_kind_cannot_have_are_refused(tmp_path):
+    points = measured(wavy(), 200, 0.0)
+    with pytest.raises(ValueError, match="corners: a swept surface cannot pass through these, which are no paral"):
+        quintrig.fit(points, "swept", corners=[[0, 0, 0], [5, 0, 0], [5, 5, 1], [0, 5, 0]])
+    with pytest.raises(ValueError, match="corners: belong to tensor, symmetric, swept, ruled, found kind sphere"):
+        quintrig.fit(points, "sphere", corners=np.zeros((4, 3)))
+    np.savetxt(tmp_path / "p.xyz", points)
+    told = RUN("fit", tmp_path / "p.xyz", "--corners", "0,0,0 1,0,0 1,1,0")
+    assert (told.code, told.err.count("\n")) == (2, 1)
+    assert "--corners: expected four points" in told.err
+
+
 def test_a_cad_face_becomes_a_patch(tmp_path):
     model = quintrig.Model.from_dict(parse(starter("swept"), ".toml"))
     quintrig.export(model, tmp_path / "part.step")

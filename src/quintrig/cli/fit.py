@@ -77,6 +77,13 @@ def fit(
     mirror: Annotated[
         str | None, typer.Option(metavar="A,B,C,D", help="Plane of a symmetric surface; found by itself otherwise.")
     ] = None,
+    corners: Annotated[
+        str | None,
+        typer.Option(
+            metavar="POINTS",
+            help='Four points to pass through, in turn: "0,0,0 9,0,0 9,5,1 0,5,1" at (u, v) = 0,0 1,0 1,1 0,1.',
+        ),
+    ] = None,
     robust: Annotated[
         bool | None, typer.Option("--robust/--no-robust", help="Leave outliers out; by itself for scans.")
     ] = None,
@@ -118,6 +125,7 @@ def fit(
         "smooth": smooth,
         "tolerance": tolerance,
         "robust": robust,
+        "corners": None if corners is None else _points(corners, "--corners"),
         "mirror": None if mirror is None else session.numbers(mirror, 4, "--mirror"),
     }
     try:
@@ -148,6 +156,14 @@ def _pair(text: str, name: str, least: int, most: int) -> tuple[int, int]:
     if not all(least <= one <= most for one in found):
         raise ValueError(f"{name}: expected two numbers from {least} to {most} such as 2x3, got {text[:40]!r}")
     return found[0], found[1]
+
+
+def _points(text: str, name: str) -> list[tuple[float, ...]]:
+    """Read four points, separated by spaces or semicolons."""
+    words = text.replace(";", " ").split()
+    if len(words) != 4:
+        raise ValueError(f"{name}: expected four points X,Y,Z separated by spaces, found {len(words)}")
+    return [session.numbers(word, 3, name) for word in words]
 
 
 def _boundary(text: str) -> Any:

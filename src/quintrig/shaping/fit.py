@@ -14,6 +14,7 @@ from quintrig.scan.deviation import Deviation, Target, deviation, target_of
 from quintrig.scan.nearest import Finder
 from quintrig.scan.scan import Scan
 from quintrig.shaping.fitting import curves, solve
+from quintrig.shaping.fitting.corners import halfway, ways_between
 from quintrig.shaping.fitting.forms import KINDS, Form, form_of
 from quintrig.shaping.fitting.intervals import intervals
 from quintrig.shaping.fitting.mirror import mirror_of
@@ -27,6 +28,9 @@ from quintrig.support.scipy_inside import tree_of
 
 ALL_KINDS = (*KINDS, *PRIMITIVES, "curve")
 """Every kind that can be fitted."""
+
+HELD = ("tensor", "symmetric", "swept", "ruled")
+"""Kinds that can be held at their corners."""
 
 _GRIDS = ((1, 1), (2, 2), (3, 3), (4, 4), (6, 6), (8, 8))
 """Grids of patches that are tried in turn where a tolerance is asked for."""
@@ -54,6 +58,7 @@ def fit(
     tolerance: float | None = None,
     robust: bool | None = None,
     mirror: ArrayLike | None = None,
+    corners: ArrayLike | None = None,
     weights: ArrayLike | None = None,
     unit: str = "",
     name: str = "fit",
@@ -67,7 +72,8 @@ def fit(
     without them a ``tolerance``, length¹, may take as many as 8 x 8. ``boundary`` "curves" draws the edges to the
     border of the points, curves hold them there. ``smooth`` weighs thin-plate energy against the distances. Points
     farther than 6 standard deviations do not count where ``robust``, as it is for scans. ``mirror`` (a, b, c, d) is the
-    plane of a symmetric surface, found where none is given. ``progress`` is told of the rounds of a fit of a surface.
+    plane of a symmetric surface, found where none is given. ``corners`` (4, 3) are passed through exactly, in turn at
+    (u, v) = (0, 0), (1, 0), (1, 1), (0, 1). ``progress`` is told of the rounds of a fit of a surface.
     Raises ValueError, ModelError or QuintrigError in one line.
     """
     if kind not in ALL_KINDS:
@@ -76,6 +82,8 @@ def fit(
         raise ValueError(f"tolerance: expected a length greater than 0, found {tolerance:g}")
     if not number(smooth, "smooth") >= 0.0:
         raise ValueError(f"smooth: expected a weight not below 0, found {smooth:g}")
+    if corners is not None and kind not in HELD:
+        raise ValueError(f"corners: belong to {', '.join(HELD)}, found kind {kind}")
     scan = target_of(target, unit)
     if weights is not None:
         heavy = frozen(weights, "weights", (len(scan.points),))
@@ -90,8 +98,11 @@ def fit(
     _refuse_line(scan.points)
     if kind in PRIMITIVES:
         return _primitive(kind, scan, trusted, tolerance, name)
-    plane = _mirror(kind, mirror, scan)
-    work = _Work(scan, kind, basis, shape, size, join, boundary, smooth, tolerance, trusted, plane, name, progress)
+    ends = None if corners is None else frozen(corners, "corners", (4, 3))
+    plane = _mirror(kind, mirror, scan, ends)
+    work = _Work(
+        scan, kind, basis, shape, size, join, boundary, smooth, tolerance, trusted, plane, ends, name, progress
+    )
     if patches is not None or tolerance is None or kind != "tensor":
         return work.fitted(patches or (1, 1))
     return work.until_within(tolerance)
@@ -113,6 +124,7 @@ class _Work:
         tolerance: float | None,
         robust: bool,
         mirror: FloatArray | None,
+        corners: FloatArray | None,
         name: str,
         progress: Progress | None,
     ) -> None:
@@ -126,6 +138,7 @@ class _Work:
         self.free = shape == "free"
         self.values = None if isinstance(shape, str) else frozen(list(shape), "shape", (None,))
         self.scale = scan.size
+        self.corners: FloatArray | None = None
         form = self._form((1, 1))
         moves = all(one.partition for one in form.families(form.starts))
         self.centre = scan.points.mean(axis=0) if moves else np.zeros(3)
@@ -133,6 +146,8 @@ class _Work:
             self.centre = np.array([0.0, 0.0, self.centre[2]])
         if mirror is not None:
             self.mirror = np.append(mirror[:3], (mirror[3] + mirror[:3] @ self.centre) / self.scale)
+        if corners is not None:
+            self.corners = (corners - self.centre) / self.scale
         self.data = self._data(boundary, smooth, robust)
         self._single: tuple[Form, solve.State] | None = None
 
@@ -162,7 +177,7 @@ class _Work:
 
     def _form(self, grid: tuple[int, int]) -> Form:
         form = form_of(self.kind, self.basis, self.size, grid, int(self.join[1]))
-        form = replace(form, mirror=self.mirror)
+        form = replace(form, mirror=self.mirror, corners=self.corners)
         if self.values is not None:
             if len(self.values) != len(form.ranges):
                 expected = f"{len(form.ranges)} numbers ({', '.join(form.ranges)})" if form.ranges else "none"
@@ -203,6 +218,8 @@ class _Work:
         ways = parametrisations(self.scan, self.data.points, self.kind, self.mirror)
         if own is not None and len(own) == len(self.data.points):
             ways = chain([own], ways) if self.scan.noisy else iter([own])
+        if self.corners is not None:
+            ways = ways_between(self.corners, self.data.points, ways)
         for at in ways:
             state = solve.begun(form, few, at[kept])
             tried.append(solve.refined(form, replace(few, smooth=max(few.smooth, 1e-7)), state, False, 10, 1e-3))
@@ -293,11 +310,13 @@ def _primitive(kind: str, scan: Scan, robust: bool, tolerance: float | None, nam
     return Fit(model, kind, measured, kept, (), tolerance, {"form": found.to_dict()}, scan.notes)
 
 
-def _mirror(kind: str, mirror: ArrayLike | None, scan: Scan) -> FloatArray | None:
+def _mirror(kind: str, mirror: ArrayLike | None, scan: Scan, corners: FloatArray | None) -> FloatArray | None:
     if kind != "symmetric":
         if mirror is not None:
             raise ValueError(f"mirror: belongs to a symmetric surface, not to kind {kind}")
         return None
+    if mirror is None and corners is not None:  # u runs across the plane, from two of the corners to their images
+        mirror = halfway(corners)
     if mirror is None:
         free = fit(scan, "tensor")
         return mirror_of(Finder([free.model.surface]), scan.points[free.kept])

@@ -20,6 +20,7 @@ from quintrig.basis.pairs import families, names, pair, parameters
 from quintrig.basis.registry import Choice, entry
 from quintrig.geometry.constructions import reflected
 from quintrig.geometry.surface import Net, Surface
+from quintrig.shaping.fitting.corners import through
 from quintrig.support.arrays import FloatArray
 from quintrig.support.scipy_inside import sparse_
 
@@ -32,7 +33,10 @@ USUAL = 6
 
 @dataclass(frozen=True)
 class Form:
-    """A kind on bases in u and v, with so many control points each way, in ``grid`` patches joined with ``order``."""
+    """A kind on bases in u and v, with so many control points each way, in ``grid`` patches joined with ``order``.
+
+    ``corners`` (4, 3) are passed through at (u, v) = (0, 0), (1, 0), (1, 1) and (0, 1).
+    """
 
     kind: str
     choices: tuple[Choice, Choice]
@@ -41,6 +45,7 @@ class Form:
     order: int = 2
     mirror: FloatArray | None = field(default=None, compare=False)
     values: tuple[float, ...] = ()
+    corners: FloatArray | None = field(default=None, compare=False)
 
     @cached_property
     def ranges(self) -> dict[str, Parameter]:
@@ -73,6 +78,12 @@ class Form:
     @cached_property
     def affine(self) -> tuple[Any, FloatArray]:
         """The matrix and the constant part by which all nets, in one row, follow from the unknowns."""
+        if self.corners is None:
+            return self._unheld
+        return through(self, self._unheld, self.corners)
+
+    @cached_property
+    def _unheld(self) -> tuple[Any, FloatArray]:
         n, m = self.shape
         if self.kind == "tensor":
             u, v = self.families(self.starts)
