@@ -191,7 +191,7 @@ def test_a_package_that_is_too_old_is_one_line_with_its_command(monkeypatch, nam
     old = ModuleType(name)
     old.__version__ = "0.9.1"
     monkeypatch.setitem(sys.modules, name, old)
-    with pytest.raises(QuintrigError, match=r"or newer, found 0\.9\.1; try: pip install --upgrade 'quintrig\["):
+    with pytest.raises(QuintrigError, match=r"or newer, found 0\.9\.1; try: pip install -U 'quintrig\["):
         getattr(quintrig.sphere(1.0), f"to_{name}")()
 
 

@@ -67,7 +67,7 @@ def _refuse_version(package: str, found: str, purpose: str, extra: str) -> None:
         return
     raise QuintrigError(
         f"{purpose} needs {EXTRAS[package][1]} {lowest} or newer{f', below {end}' if end else ''}, found {found}; "
-        f"try: {install(extra).replace('install', 'install --upgrade', 1)}"
+        f"try: {install(extra).replace('install', 'install -U', 1)}"
     )
 
 
