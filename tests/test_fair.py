@@ -8,6 +8,7 @@ import pytest
 
 import quintrig
 from cli_runner import quintrig as run
+from quintrig.figure.fairness import combs
 from quintrig.shaping.derivatives import affine
 from quintrig.shaping.energies import ENERGIES, energy, measured
 
@@ -123,6 +124,15 @@ def test_kinds_without_a_free_net_say_what_can_be_done():
         quintrig.fair(example("developable"))
     done = quintrig.fair(example("swung"), vary="shape")
     assert done.after["thin_plate"] <= done.before["thin_plate"]
+
+
+def test_teeth_of_combs_are_the_curvature_away_from_the_centre():
+    points, teeth = combs(quintrig.cylinder(2.0, 5.0))
+    long = np.linalg.norm(teeth, axis=-1)
+    rulings = np.ptp(points[..., 2], axis=1) > 1.0
+    assert np.abs(long[rulings]).max() < 1e-12
+    np.testing.assert_allclose(long[~rulings], 0.5, rtol=1e-12)
+    np.testing.assert_allclose(teeth[~rulings][..., :2], 0.25 * points[~rulings][..., :2], rtol=0, atol=1e-12)
 
 
 def test_the_command_writes_model_json_and_picture(tmp_path):

@@ -24,8 +24,6 @@ _EPILOG = session.examples(
     ("quintrig fair lid.toml -o fairer.toml --picture both.png", "before and after, side by side"),
 )
 
-_PICTURED = ("mean", "curvedness")
-
 
 def register(app: typer.Typer) -> None:
     """Add the command."""
@@ -64,7 +62,8 @@ def fair(
     ] = None,
     patch: WhichPatch = None,
     picture: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Picture of the patch before and after.", show_default=False)
+        Path | None,
+        typer.Option(metavar="FILE", help="The patch before and after, with combs and zebra.", show_default=False),
     ] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print what was reached as JSON.")] = False,
     force: Force = False,
@@ -126,12 +125,11 @@ def _tell(done: "Fairing") -> None:
 
 
 def _draw(before: "Model", done: "Fairing", path: Path) -> None:
-    """Draw the patch before and after, on one scale."""
-    from quintrig.figure import Scene, comparison, save
+    """Draw the patch before and after, with combs and in zebra, on one scale."""
+    from quintrig.figure.fairness import fairness_picture
+    from quintrig.figure.save import save
 
     surfaces = [one.patch(done.part).surface for one in (before, done.model)]
-    figure = comparison(
-        surfaces, ["before", "after"], "curvedness", Scene(), unit=done.model.unit, columns=2, width=10.0
-    )
+    figure = fairness_picture(surfaces, ["before", "after"], unit=done.model.unit)
     save(figure, path)
     session.wrote(path)
