@@ -122,7 +122,7 @@ MISTAKES = [
     (("export", LID, "a.glb", "--tolerance", "1", "--grid", "3x3"), "found both"),
     (("export", LID, "a.glb", "--colour", "gaussain"), "did you mean 'gaussian'"),
     (("export", EXAMPLES / "sphere.toml", "a.csv"), "has no control points"),
-    (("import", LID, "--list"), "expected a CAD file to list"),
+    (("import", LID, "--list"), "expected a CAD file or a scan to list"),
     (("import", "none.step", "-o", "a.toml"), "none.step: no such file"),
     (("import", "a.dwg", "-o", "a.toml"), "expected a file ending in .step"),
     (("import", EXAMPLES / "from_csv.csv"), "expected where to write"),

@@ -71,7 +71,10 @@ def import_(
             _scan(file, output, unit, listing)
             return
         if file.suffix.lower() not in CAD_SUFFIXES:
-            raise QuintrigError(f"{file}: expected a CAD file or a scan to list ({', '.join(CAD_SUFFIXES)})")
+            from quintrig.exchange.scans import SCAN_SUFFIXES
+
+            known = ", ".join((*CAD_SUFFIXES, *SCAN_SUFFIXES))
+            raise QuintrigError(f"{file}: expected a CAD file or a scan to list ({known})")
         found = contents(file)
         unit = f", unit {found.unit}" if found.unit else ""
         session.emit(f"{found.name}: faces {len(found.faces)}, curves {len(found.curves)}{unit}")
