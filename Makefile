@@ -7,6 +7,9 @@ BIN := .venv/bin
 report: .venv/installed
 	$(BIN)/quintrig report examples/car_boot.toml out/car_boot
 
+# Tests run in as many processes as there are cores: threads of the linear algebra would wait for each other.
+test-fast test-slow test-lowest test-processors: export OPENBLAS_NUM_THREADS := 1
+
 # All tests, in two parts: what to run while working, and what takes long (tests/conftest.py says which). CI prints
 # what share of the lines the fast ones reach in their own process.
 test: test-fast test-slow
