@@ -211,6 +211,22 @@ def trimmed_step(path, reverse=False):
         writer.Write(str(path))
 
 
+def test_settings_of_opencascade_are_left_as_they_were(tmp_path):
+    from OCP.IGESControl import IGESControl_Controller
+    from OCP.Interface import Interface_Static
+    from OCP.STEPCAFControl import STEPCAFControl_Controller
+
+    STEPCAFControl_Controller.Init_s()
+    IGESControl_Controller.Init_s()
+    names = ("write.step.unit", "write.step.schema", "write.iges.unit", "xstep.cascade.unit")
+    before = {name: Interface_Static.CVal_s(name) for name in names}
+    inches = quintrig.Model.from_dict({"unit": "in", "kind": "torus"})
+    for suffix in (".step", ".iges"):
+        quintrig.export(inches, tmp_path / f"ring{suffix}")
+        quintrig.open_model(tmp_path / f"ring{suffix}")
+    assert {name: Interface_Static.CVal_s(name) for name in names} == before
+
+
 def test_trimmed_face_keeps_its_surface_and_marks_what_is_cut_off(tmp_path):
     path = tmp_path / "hole.step"
     trimmed_step(path)

@@ -9,7 +9,7 @@ import os
 import sys
 import tempfile
 import threading
-from collections.abc import Callable, Generator, Sequence
+from collections.abc import Callable, Generator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import Any
 
@@ -63,6 +63,26 @@ def quiet() -> Generator[None]:
                     os.dup2(saved, 1)
         finally:
             os.close(saved)
+
+
+@contextmanager
+def settings(values: Mapping[str, str | int]) -> Generator[None]:
+    """Have OpenCASCADE's global settings at these values while the block runs; then those of before are put back.
+
+    Others in the process that read and write files go by them too, such as other packages on OpenCASCADE.
+    """
+    static = module("Interface").Interface_Static
+    before = {name: (static.CVal_s if isinstance(one, str) else static.IVal_s)(name) for name, one in values.items()}
+    try:
+        _set(static, values)
+        yield
+    finally:
+        _set(static, before)
+
+
+def _set(static: Any, values: Mapping[str, str | int]) -> None:
+    for name, one in values.items():
+        (static.SetCVal_s if isinstance(one, str) else static.SetIVal_s)(name, one)
 
 
 def _flush() -> None:

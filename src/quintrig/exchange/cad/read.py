@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from quintrig.exchange.cad.faces import Contents, Face, SpaceCurve
-from quintrig.exchange.cad.occ import array_type, down_to, explored, from_occ, module, quiet, sequence
+from quintrig.exchange.cad.occ import array_type, down_to, explored, from_occ, module, quiet, sequence, settings
 from quintrig.exchange.cad.parameters import Box, Places, places
 from quintrig.exchange.cad.trim import simplified, without_border
 from quintrig.exchange.units import ASSUMED, UNITS, named
@@ -116,7 +116,6 @@ def _plain_step(path: Path) -> tuple[list[Any], str, list[str]]:
 
 def _iges(path: Path) -> tuple[list[Any], str, list[str]]:
     module("IGESControl").IGESControl_Controller.Init_s()
-    static = module("Interface").Interface_Static
     reader = module("IGESCAFControl").IGESCAFControl_Reader()
     reader.SetNameMode(True)
     _read_file(reader, path, "an IGES")
@@ -125,12 +124,8 @@ def _iges(path: Path) -> tuple[list[Any], str, list[str]]:
     unit = next((key for key, one in UNITS.items() if abs(one.millimetres - millimetres) < 1e-9 * millimetres), "")
     notes = _unit_notes(unit, [f"unit of {millimetres:g} mm"])
     unit = unit or ASSUMED
-    before = static.CVal_s("xstep.cascade.unit")
-    static.SetCVal_s("xstep.cascade.unit", UNITS[unit].opencascade)
-    try:
+    with settings({"xstep.cascade.unit": UNITS[unit].opencascade}):
         shapes = _transferred(reader, unit, path)
-    finally:
-        static.SetCVal_s("xstep.cascade.unit", before)
     return _with_iges_names(shapes, reader.Model()), unit, notes
 
 

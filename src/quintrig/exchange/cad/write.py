@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from quintrig.exchange.cad.occ import module, quiet
+from quintrig.exchange.cad.occ import module, quiet, settings
 from quintrig.exchange.cad.shell import Shell
 from quintrig.exchange.units import stated
 
@@ -24,41 +24,49 @@ def step(shell: Shell, name: str, names: Sequence[str], unit: str, schema: str, 
     """Return a STEP file of the shell, its named faces and edges; ``remark`` goes into its header."""
     with quiet():
         module("STEPCAFControl").STEPCAFControl_Controller.Init_s()
-        static = module("Interface").Interface_Static
-        static.SetCVal_s("write.step.schema", SCHEMAS[schema])
-        static.SetCVal_s("write.step.unit", stated(unit).opencascade)
-        static.SetIVal_s("write.stepcaf.subshapes.name", 1)
-        writer = module("STEPCAFControl").STEPCAFControl_Writer()
-        writer.SetNameMode(True)
-        document = _document(shell, name, names, unit)
-        if not writer.Transfer(document):
-            raise ValueError("OpenCASCADE cannot turn this shape into STEP")
-        model = writer.ChangeWriter().Model()
-        _header(model, name, remark)
-        data = module("StepData").StepData_StepWriter(model)
-        data.FloatWriter().SetFormat(_DIGITS)
-        data.SendModel(model.Protocol())
-        return _printed(data)
+        chosen = {
+            "write.step.schema": SCHEMAS[schema],
+            "write.step.unit": stated(unit).opencascade,
+            "write.stepcaf.subshapes.name": 1,
+        }
+        with settings(chosen):
+            return _step(shell, name, names, unit, remark)
+
+
+def _step(shell: Shell, name: str, names: Sequence[str], unit: str, remark: str) -> bytes:
+    writer = module("STEPCAFControl").STEPCAFControl_Writer()
+    writer.SetNameMode(True)
+    document = _document(shell, name, names, unit)
+    if not writer.Transfer(document):
+        raise ValueError("OpenCASCADE cannot turn this shape into STEP")
+    model = writer.ChangeWriter().Model()
+    _header(model, name, remark)
+    data = module("StepData").StepData_StepWriter(model)
+    data.FloatWriter().SetFormat(_DIGITS)
+    data.SendModel(model.Protocol())
+    return _printed(data)
 
 
 def iges(shell: Shell, name: str, names: Sequence[str], unit: str) -> bytes:
     """Return an IGES file of the shell, its named faces and edges; names in ASCII, all that the format knows."""
     with quiet():
         module("IGESControl").IGESControl_Controller.Init_s()
-        static = module("Interface").Interface_Static
-        static.SetCVal_s("write.iges.unit", stated(unit).opencascade)
-        static.SetIVal_s("write.iges.brep.mode", 1)
-        writer = module("IGESCAFControl").IGESCAFControl_Writer()
-        writer.SetNameMode(True)
-        document = _document(shell, _ascii(name), [_ascii(word) for word in names], unit)
-        if not writer.Transfer(document):
-            raise ValueError("OpenCASCADE cannot turn this shape into IGES")
-        writer.ComputeModel()
-        data = module("IGESData").IGESData_IGESWriter(writer.Model())
-        data.FloatWriter().SetFormat(_DIGITS)
-        data.FloatWriter().SetZeroSuppress(False)
-        data.SendModel(module("IGESSelect").IGESSelect_WorkLibrary.DefineProtocol_s())
-        return _printed(data)
+        with settings({"write.iges.unit": stated(unit).opencascade, "write.iges.brep.mode": 1}):
+            return _iges(shell, _ascii(name), [_ascii(word) for word in names], unit)
+
+
+def _iges(shell: Shell, name: str, names: Sequence[str], unit: str) -> bytes:
+    writer = module("IGESCAFControl").IGESCAFControl_Writer()
+    writer.SetNameMode(True)
+    document = _document(shell, name, names, unit)
+    if not writer.Transfer(document):
+        raise ValueError("OpenCASCADE cannot turn this shape into IGES")
+    writer.ComputeModel()
+    data = module("IGESData").IGESData_IGESWriter(writer.Model())
+    data.FloatWriter().SetFormat(_DIGITS)
+    data.FloatWriter().SetZeroSuppress(False)
+    data.SendModel(module("IGESSelect").IGESSelect_WorkLibrary.DefineProtocol_s())
+    return _printed(data)
 
 
 def brep(shell: Shell) -> bytes:
