@@ -54,6 +54,7 @@ def shares(item):
     return any(used[-1].scope == "module" for name, used in defined.items() if name != "browser")
 
 
+@pytest.hookimpl(tryfirst=True)  # before xdist reads the groups
 def pytest_collection_modifyitems(items):
     """Mark what is slow, so that ``-m "not slow"`` leaves it out, and keep tests together that share what was made."""
     for item in items:

@@ -55,7 +55,7 @@ def test_small_noise_is_reached_too():
 
 def test_shape_parameters_are_fitted_with_their_intervals():
     surface = wavy()
-    fit = quintrig.fit(measured(surface, 1500, 1e-4 * surface.size), shape="free")
+    fit = quintrig.fit(measured(surface, 600, 1e-4 * surface.size), shape="free")
     assert fit.rms < 1.3e-4 * surface.size
     assert [one.name for one in fit.shape] == ["alpha1", "zeta1", "alpha2", "zeta2"]
     assert all(-4 <= one.low <= one.value <= one.high <= 1 and one.deviation > 0 for one in fit.shape)
@@ -86,7 +86,7 @@ def test_outliers_and_weights():
 
 
 def test_patches_join_as_asked_and_a_tolerance_takes_as_many_as_it_needs():
-    t = np.linspace(0, 1, 30)
+    t = np.linspace(0, 1, 20)
     x, y = (10 * a.ravel() for a in np.meshgrid(t, t))
     points = np.stack([x, y, np.sin(1.3 * x) * np.cos(1.1 * y)], axis=-1)
     fits = {join: quintrig.fit(points, patches=(2, 2), join=join) for join in ("G1", "G2")}
