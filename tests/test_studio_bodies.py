@@ -5,7 +5,7 @@
 import pytest
 
 import quintrig
-from test_studio_browser import browser, context, kept, opened, pytestmark, served, state  # noqa: F401
+from test_studio_browser import browser, context, kept, opened, pytestmark, served, state, until  # noqa: F401
 from test_studio_drag import LOCATE, drag
 
 
@@ -97,7 +97,7 @@ def test_two_clicked_sides_are_joined_and_released(context, served):
             page.mouse.click(at["x"], at["y"])
             page.wait_for_timeout(200)
         assert keys_of(page).get("join") == rules
-        assert seams(page)[0]["order"] >= "G1"
+        until(page, "document.querySelector('[data-quintrig]').studio.painter.seams[0].order >= 'G1'")
 
 
 def test_patches_are_added_doubled_mirrored_and_taken_away_and_all_is_undone(context, served):
