@@ -72,7 +72,7 @@ def test_a_model_shows_itself_and_what_cannot_be_shown_says_what_it_is():
     # Rows that no kind of model has: a sphere squashed by hand.
     rows = quintrig.sphere().rows
     odd = Surface(Net(np.asarray(rows.points) + 0.25, rows.functions), quintrig.sphere().blend)
-    assert set(odd._repr_mimebundle_()) == {"text/plain"}
+    assert set(odd._repr_mimebundle_()) == {"image/png", "text/plain"}
     with pytest.raises(ValueError, match="Model"):
         as_model(odd)
 

@@ -1,4 +1,4 @@
-"""What a notebook shows by itself: of surfaces the interactive view, of curves, lines and scans a picture."""
+"""What a notebook shows by itself: of surfaces and models the interactive view, of all else a picture."""
 
 from base64 import b64encode
 from contextlib import suppress
@@ -12,14 +12,10 @@ from quintrig.support.errors import QuintrigError
 
 def bundle(subject: Any) -> Any:
     """Return the MIME bundle of an interactive view, or a picture without anywidget; text where there is nothing."""
-    for way in (_view, _picture) if _has_surfaces(subject) else (_picture,):
+    for way in (_view, _picture) if isinstance(subject, Surface | Patch | Model) else (_picture,):
         with suppress(QuintrigError, ValueError):
             return way(subject)
     return {"text/plain": repr(subject)}
-
-
-def _has_surfaces(subject: Any) -> bool:
-    return isinstance(subject, Surface | Patch) or (isinstance(subject, Model) and bool(subject.patches))
 
 
 def _view(subject: Any) -> Any:
