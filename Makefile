@@ -19,7 +19,7 @@ test-fast: .venv/installed-dev
 
 # More processes than cores: pages and commands mostly wait.
 test-slow: .venv/installed-dev
-	$(BIN)/python -m pytest -n 3 --dist loadgroup -m slow
+	$(BIN)/python -m pytest -n 4 --dist loadgroup -m slow
 
 # Numbers with the lowest versions of dependencies that pyproject.toml lets in, in an environment of their own.
 LOWEST := $(addprefix tests/test_,$(addsuffix .py,basis construct curve envelope integrate model nurbs quantity schema \

@@ -57,7 +57,7 @@ def rows(task):
 
 def nodes_of(task, values, count):
     """Return the nodes and weights in u and in v that a sweep takes for a design."""
-    patch = task.built().with_parameters(values)
+    patch = task.varied()[0].with_parameters(values)
     if is_affine(patch, task.space):
         widths = WIDEST * amounts_above(np.array([patch.shape]) + 4.0, patch.kind == "ruled")[0]
     else:
@@ -113,7 +113,7 @@ def compare(found, wanted):
 def test_summary_is_that_of_analyse_at_the_same_points(name, space):
     model = MODELS[name]
     task = Task(model, None, space(model["kind"]), 12)
-    patch = task.built()
+    patch = task.varied()[0]
     for values, found in rows(task):
         surface = patch.with_parameters(values).surface
         compare(found, expected(surface, nodes_of(task, values, 12)))
@@ -125,7 +125,7 @@ def test_affine_path_is_the_plain_path(name):
     if model["kind"] == "developable":
         pytest.skip("a developable is not affine in its shape parameters")
     task = Task(model, None, inner(model["kind"], 5), 16)
-    patch = task.built()
+    patch = task.varied()[0]
     assert is_affine(patch, task.space)
     for values, found in rows(task):
         (u, a), (v, b) = nodes_of(task, values, 16)
@@ -151,7 +151,7 @@ def test_integrals_are_met_within_the_error_of_the_quadrature(name):
     model = next(model for key, model in EXAMPLES.items() if key.startswith(name))
     axes = tuple(Axis(axis.name, -2.0, 1.0, 2) for axis in corners(model["kind"]).axes[:2])
     coarse, fine = (rows(Task(model, None, DesignSpace(axes), points)) for points in (64, 128))
-    patch = Task(model, None, DesignSpace(axes)).built()
+    patch = Task(model, None, DesignSpace(axes)).varied()[0]
     for (values, rough), (_, found) in zip(coarse, fine, strict=True):
         exact = integrals(patch.with_parameters(values).surface)
         wanted = {
@@ -252,7 +252,7 @@ def test_designs_just_above_minus_four_are_as_good_as_any(name, shape):
     space = DesignSpace(tuple(Axis(name, value, value, 1) for name, value in zip(names, shape, strict=True)))
     task = Task(model, None, space)
     ((values, found),) = rows(task)
-    exact = integrals(task.built().with_parameters(values).surface)
+    exact = integrals(task.varied()[0].with_parameters(values).surface)
     for key in ("area", "bending_energy", "thin_plate_energy"):
         assert exact[key].converged
         assert found[key] == pytest.approx(exact[key].value, rel=1e-3), key

@@ -43,7 +43,7 @@ def sweep(tmp_path_factory):
 def surfaces(sweep, rows):
     names = sweep.task.space.names
     for values in zip(*(rows[name].tolist() for name in names), strict=True):
-        yield sweep.task.built().with_parameters(dict(zip(names, values, strict=True))).surface
+        yield sweep.task.varied()[0].with_parameters(dict(zip(names, values, strict=True))).surface
 
 
 @pytest.fixture(scope="module")

@@ -45,7 +45,7 @@ def swept_rows(model, shape, points=16):
     task = Task(model, None, space, points)
     values = dict(zip(names, shape, strict=True))
     row = dict(zip(columns(space), summaries(task, 0, 1)[0], strict=True))
-    return row, task.built().with_parameters(values).surface
+    return row, task.varied()[0].with_parameters(values).surface
 
 
 @pytest.mark.parametrize("shape", SHAPES)
