@@ -69,12 +69,11 @@ def test_a_notebook_shows_a_sample_as_a_small_table():
     assert quintrig.analyse(BOOT.surface, 0.5, 0.5)._repr_html_().count("<tr>") == 2
 
 
-@pytest.mark.parametrize("what", ["curve", "named curve", "model of curves", "line", "lines"])
+@pytest.mark.parametrize("what", ["curve", "named curve", "line", "lines"])
 def test_a_notebook_shows_a_picture_of_what_has_no_view(what):
     curve = quintrig.Curve(np.array([[0.0, 0], [1, 2], [2, 3], [4, 3], [5, 1], [6, 0]]))
-    model = quintrig.Model.of_curves([curve])
     lines = quintrig.lines(BOOT, "parabolic")
-    values = {"curve": curve, "named curve": model.curves[0], "model of curves": model}
+    values = {"curve": curve, "named curve": quintrig.Model.of_curves([curve]).curves[0]}
     shown = ({**values, "line": lines[0], "lines": lines})[what]._repr_mimebundle_()
     assert base64.b64decode(shown["image/png"]).startswith(b"\x89PNG")
     assert shown["text/plain"]

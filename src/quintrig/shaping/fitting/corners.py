@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Iterator
 from itertools import product
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -12,31 +12,28 @@ from quintrig.scan.nearest import Finder
 from quintrig.support.arrays import FloatArray
 from quintrig.support.scipy_inside import linalg_, sparse_, tree_of
 
-if TYPE_CHECKING:
-    from quintrig.shaping.fitting.forms import Form
-
 ROUND = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
 """Parameters (u, v) of the corners, in the order in which they are given."""
 
 _MET = 1e-9  # of the size: as near as corners must be met by a kind whose corners hang on each other
 
 
-def through(form: "Form", affine: tuple[Any, FloatArray], corners: FloatArray) -> tuple[Any, FloatArray]:
+def through(
+    corners: FloatArray,
+    affine: tuple[Any, FloatArray],
+    ends: tuple[FloatArray, FloatArray],
+    grid: tuple[int, int],
+    kind: str,
+) -> tuple[Any, FloatArray]:
     """Return how nets follow from the unknowns that remain where the surface passes through ``corners`` (4, 3).
 
-    ``affine`` is how they follow from all unknowns. Raises ValueError for a basis whose corners hang on shape
-    parameters, and for corners that the kind cannot have.
+    ``affine`` is how they follow from all unknowns, ``ends`` the values (2, n) and (2, m) of the functions in u and v
+    at 0 and 1. Raises ValueError for corners that the kind cannot have.
     """
     matrix, base = affine
-    n, m = form.shape
-    ends, others = (
-        [one.derivatives(np.array([0.0, 1.0]), 0)[0] for one in form.families(theta)]
-        for theta in (form.starts, _elsewhere(form))
-    )
-    if any(np.abs(one - other).max() > 1e-9 for one, other in zip(ends, others, strict=True)):
-        raise ValueError("corners: expected a basis whose corners stay where shape parameters change; take another")
+    n, m = ends[0].shape[1], ends[1].shape[1]
     rows: list[FloatArray] = []
-    nu, nv = form.grid
+    nu, nv = grid
     for u, v in ROUND.astype(int):
         row = np.zeros((nu * nv, n, m))
         row[u * (nu - 1) * nv + v * (nv - 1)] = np.outer(ends[0][u], ends[1][v])
@@ -53,8 +50,8 @@ def through(form: "Form", affine: tuple[Any, FloatArray], corners: FloatArray) -
     start[settled] = inverse @ wanted
     off = float(np.linalg.norm((held @ start - wanted).reshape(4, 3), axis=1).max())
     if off > _MET:
-        why = {"symmetric": "are not images of each other", "swept": "are no parallelogram"}.get(form.kind, "differ")
-        raise ValueError(f"corners: a {form.kind} surface cannot pass through these, which {why}; take kind tensor")
+        why = {"symmetric": "are not images of each other", "swept": "are no parallelogram"}.get(kind, "differ")
+        raise ValueError(f"corners: a {kind} surface cannot pass through these, which {why}; take kind tensor")
     # What is settled follows from what is left; most of it from nothing.
     follow = -inverse @ held[:, left]
     follow[np.abs(follow) < 1e-14] = 0.0
@@ -71,11 +68,6 @@ def halfway(corners: FloatArray) -> FloatArray:
     across = corners[[0, 3]].sum(axis=0) - corners[[1, 2]].sum(axis=0)
     normal = across / (float(np.linalg.norm(across)) or 1.0)
     return np.append(normal, -normal @ corners.mean(axis=0))
-
-
-def _elsewhere(form: "Form") -> FloatArray:
-    """Return other values of the shape parameters, within their ranges."""
-    return np.array([one.low + 0.37 * (one.high - one.low) for one in form.ranges.values()])
 
 
 def ways_between(corners: FloatArray, points: FloatArray, ways: Iterable[FloatArray]) -> Iterator[FloatArray]:

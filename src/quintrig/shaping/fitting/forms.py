@@ -80,7 +80,16 @@ class Form:
         """The matrix and the constant part by which all nets, in one row, follow from the unknowns."""
         if self.corners is None:
             return self._unheld
-        return through(self, self._unheld, self.corners)
+        other = np.array([one.low + 0.37 * (one.high - one.low) for one in self.ranges.values()])
+        u, v = self._ends(self.starts)
+        if any(np.abs(one - two).max() > 1e-9 for one, two in zip((u, v), self._ends(other), strict=True)):
+            raise ValueError("corners: expected a basis whose corners stay where shape parameters change; take another")
+        return through(self.corners, self._unheld, (u, v), self.grid, self.kind)
+
+    def _ends(self, theta: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Return the values of the functions in u and v at 0 and 1."""
+        u, v = (one.derivatives(np.array([0.0, 1.0]), 0)[0] for one in self.families(theta))
+        return u, v
 
     @cached_property
     def _unheld(self) -> tuple[Any, FloatArray]:
