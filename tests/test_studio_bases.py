@@ -1,17 +1,13 @@
 """Bases in the browser: formulas evaluated there are Python's to 1e-12, on every construction and curve."""
 
-import json
-import shutil
-import subprocess
-
 import numpy as np
 import pytest
 
 import quintrig
+from node import asked
 from quintrig.basis.library import LIBRARY
 from quintrig.basis.registry import entry
 from quintrig.model.model import Model
-from quintrig.studio import BUNDLE
 from quintrig.studio.bases import MOST_POINTS, beyond, library
 from quintrig.studio.built import for_page
 from quintrig.studio.data import table
@@ -54,17 +50,6 @@ const tell = {
 const jobs = JSON.parse(readFileSync(0, "utf8"));
 process.stdout.write(JSON.stringify(jobs.map(({ what, ...job }) => tell[what](job))));
 """
-
-
-def asked(jobs):
-    """Return what Node answers to jobs."""
-    node = shutil.which("node")
-    if node is None:
-        pytest.skip("Node is not installed")
-    command = [node, "--input-type=module", "-e", SCRIPT, str(BUNDLE)]
-    run = subprocess.run(command, input=json.dumps(jobs), capture_output=True, text=True, timeout=120, check=False)
-    assert run.returncode == 0, run.stderr
-    return json.loads(run.stdout)
 
 
 def inside(parameters, shares):
@@ -250,7 +235,7 @@ def told():
         "curve": [{"model": for_page(Model.from_dict(one)), "t": grid} for one in CURVES.values()],
         "said": [{"model": one} for one in MISTAKES],
     }
-    answers = iter(asked([{"what": what, **job} for what, them in jobs.items() for job in them]))
+    answers = iter(asked(SCRIPT, [{"what": what, **job} for what, them in jobs.items() for job in them]))
     return {what: [next(answers) for _ in them] for what, them in jobs.items()}
 
 

@@ -1,14 +1,12 @@
 """Surfaces that Python builds for the browser: the numbers that Node works out from them are Python's own."""
 
-import json
-import shutil
-import subprocess
 from dataclasses import dataclass
 
 import numpy as np
 import pytest
 
 import quintrig
+from node import asked
 from quintrig.basis.bernstein import Bernstein
 from quintrig.basis.elementary import Powers
 from quintrig.basis.functions import Functions
@@ -18,7 +16,6 @@ from quintrig.basis.trigonometric import Trigonometric
 from quintrig.geometry.surface import Net, Surface
 from quintrig.model.kinds.registry import OWN
 from quintrig.model.model import Model
-from quintrig.studio import BUNDLE
 from quintrig.studio.built import FAMILIES, functions, surface
 from quintrig.studio.data import table
 
@@ -109,20 +106,8 @@ PARAMETERS = np.linspace(0.0, 1.0, 7)
 
 @pytest.fixture(scope="module")
 def told():
-    node = shutil.which("node")
-    if node is None:
-        pytest.skip("Node is not installed")
     jobs = [{"built": surface(one), "u": PARAMETERS.tolist(), "v": PARAMETERS.tolist()} for one in SURFACES.values()]
-    run = subprocess.run(
-        [node, "--input-type=module", "-e", SCRIPT, str(BUNDLE)],
-        input=json.dumps(jobs),
-        capture_output=True,
-        text=True,
-        timeout=120,
-        check=False,
-    )
-    assert run.returncode == 0, run.stderr
-    return json.loads(run.stdout)
+    return asked(SCRIPT, jobs)
 
 
 @pytest.mark.parametrize("name", SURFACES)

