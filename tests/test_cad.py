@@ -220,10 +220,12 @@ def test_settings_of_opencascade_are_left_as_they_were(tmp_path):
     IGESControl_Controller.Init_s()
     names = ("write.step.unit", "write.step.schema", "write.iges.unit", "xstep.cascade.unit")
     before = {name: Interface_Static.CVal_s(name) for name in names}
+    named = Interface_Static.IVal_s("read.stepcaf.subshapes.name")
     inches = quintrig.Model.from_dict({"unit": "in", "kind": "torus"})
     for suffix in (".step", ".iges"):
         quintrig.export(inches, tmp_path / f"ring{suffix}")
-        quintrig.open_model(tmp_path / f"ring{suffix}")
+        assert isolated.read_here(tmp_path / f"ring{suffix}").unit == "in"
+    assert Interface_Static.IVal_s("read.stepcaf.subshapes.name") == named
     assert {name: Interface_Static.CVal_s(name) for name in names} == before
 
 

@@ -72,8 +72,9 @@ def fit(
     without them a ``tolerance``, length¹, may take as many as 8 x 8. ``boundary`` "curves" draws the edges to the
     border of the points, curves hold them there. ``smooth`` weighs thin-plate energy against the distances. Points
     farther than 6 standard deviations do not count where ``robust``, as it is for scans. ``mirror`` (a, b, c, d) is the
-    plane of a symmetric surface, found where none is given. ``corners`` (4, 3) are passed through exactly, in turn at
-    (u, v) = (0, 0), (1, 0), (1, 1), (0, 1). ``progress`` is told of the rounds of a fit of a surface.
+    plane of a symmetric surface, found where none is given. ``corners`` (4, 3), length¹ in the unit of the points, are
+    passed through exactly, in turn at (u, v) = (0, 0), (1, 0), (1, 1), (0, 1). ``progress`` is told of the rounds of a
+    fit of a surface.
     Raises ValueError, ModelError or QuintrigError in one line.
     """
     if kind not in ALL_KINDS:

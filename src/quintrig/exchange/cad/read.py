@@ -88,7 +88,11 @@ def _read_file(reader: Any, path: Path, kind: str) -> None:
 
 def _step(path: Path) -> tuple[list[Any], str, list[str]]:
     module("STEPCAFControl").STEPCAFControl_Controller.Init_s()
-    module("Interface").Interface_Static.SetIVal_s("read.stepcaf.subshapes.name", 1)
+    with settings({"read.stepcaf.subshapes.name": 1}):
+        return _named_step(path)
+
+
+def _named_step(path: Path) -> tuple[list[Any], str, list[str]]:
     reader = module("STEPCAFControl").STEPCAFControl_Reader()
     reader.SetNameMode(True)
     _read_file(reader, path, "a STEP")
