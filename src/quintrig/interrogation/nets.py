@@ -10,7 +10,7 @@ from typing import Any, cast
 import numpy as np
 
 from quintrig.geometry.surface import Surface
-from quintrig.interrogation.follow import Curve, both_ways
+from quintrig.interrogation.follow import Curve, Place, both_ways
 from quintrig.interrogation.local import Local
 from quintrig.interrogation.polyline import Path
 from quintrig.interrogation.trace import Tracer
@@ -22,8 +22,6 @@ _APART = 0.9  # of the spacing: a line begins no nearer to another one
 _WAVES = 60
 _FEW = 0.25  # of the spacing: shorter lines are left out
 _SHARE = 0.1  # of all lines, those that a later wave may still add before the net counts as full
-
-Place = tuple[int, FloatArray, int]
 
 
 class Net:

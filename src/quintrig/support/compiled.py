@@ -29,6 +29,9 @@ Function = TypeVar("Function", bound=Callable[..., Any])
 SOURCES = (
     "basis/tape_jit",
     "basis/trigonometric_jit",
+    "interrogation/dop853",
+    "interrogation/field_jit",
+    "interrogation/follow_jit",
     "kernel/blocks",
     "quantities/classify",
     "support/compiled",
