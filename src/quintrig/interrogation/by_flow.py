@@ -121,11 +121,7 @@ def _net(on: Subject, ask: Ask, flow: Flow, reach: float) -> list[Curve]:
     tracer.relative = _NET
     net = Net(tracer, spacing, reach, MOST, on.tell)
     starts = [(k, uv) for k, surface in enumerate(on.surfaces) for uv in _starts(tracer, k) if surface.inside(*uv)]
-    for start in starts:
-        net.fill([start])
-        if len(net.curves) >= MOST:
-            break
-    return net.curves
+    return net.fill(starts)
 
 
 def _starts(tracer: Tracer, patch: int) -> list[FloatArray]:

@@ -1,9 +1,7 @@
 """Lines of a flow through given points, to both sides."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-
-import numpy as np
+from dataclasses import dataclass, replace
 
 from quintrig.interrogation.polyline import Path
 from quintrig.interrogation.trace import Seed, Tracer, Trail
@@ -37,14 +35,13 @@ def _joined(ahead: Trail, back: Trail | None) -> Curve:
     first = ahead.paths
     if back is None or not back.paths:
         closed = ahead.closed and len(first) == 1
-        paths = tuple(Path(p.patch, p.uv, p.middles, closed) for p in first)
+        paths = tuple(replace(path, closed=closed) for path in first)
         return Curve(paths, tuple(ahead.modes), ahead.closed, ahead.ended)
-    behind = [Path(p.patch, p.uv[::-1], p.middles[::-1]) for p in reversed(back.paths)]
+    behind = [path.backwards for path in reversed(back.paths)]
     modes = [*reversed(back.modes)]
     if not first:
         return Curve(tuple(behind), tuple(modes), False, back.ended)
     # Both began at one point of one patch: that is one path.
-    uv = np.concatenate([behind[-1].uv, first[0].uv[1:]])
-    one = Path(first[0].patch, uv, np.concatenate([behind[-1].middles, first[0].middles]))
     ended = ahead.ended if ahead.ended == back.ended else f"{back.ended}; {ahead.ended}"
-    return Curve((*behind[:-1], one, *first[1:]), (*modes[:-1], *ahead.modes), False, ended)
+    paths = (*behind[:-1], behind[-1].then(first[0]), *first[1:])
+    return Curve(paths, (*modes[:-1], *ahead.modes), False, ended)

@@ -36,7 +36,7 @@ from quintrig.interrogation.follow_jit import (
     begin,
     follow,
 )
-from quintrig.interrogation.polyline import Path
+from quintrig.interrogation.polyline import Path, looked_up
 from quintrig.interrogation.seams import Seams
 from quintrig.support.arrays import FloatArray, aligned
 from quintrig.support.memory import address
@@ -101,6 +101,7 @@ class Tracer:
         trails = [Trail() for _ in seeds]
         for line, seed, trail in zip(lines, seeds, trails, strict=True):
             self._follow(line, seed.patch, trail)
+        looked_up(self.surfaces, [path for trail in trails for path in trail.paths])
         return trails
 
     def begun(self, seeds: Sequence[Seed]) -> FloatArray:

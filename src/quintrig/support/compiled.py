@@ -32,6 +32,7 @@ SOURCES = (
     "interrogation/dop853",
     "interrogation/field_jit",
     "interrogation/follow_jit",
+    "interrogation/near_jit",
     "kernel/blocks",
     "quantities/classify",
     "support/compiled",
