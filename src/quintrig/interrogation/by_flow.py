@@ -10,9 +10,9 @@ from quintrig.interrogation.ask import MOST, Ask, few, length, place, vector
 from quintrig.interrogation.fields import normal_curvature
 from quintrig.interrogation.flows import ASYMPTOTIC_DIRECTIONS, GEODESICS, PRINCIPAL_DIRECTIONS, Flow
 from quintrig.interrogation.follow import Curve, both_ways
-from quintrig.interrogation.follow_jit import ENDED, NO_DIRECTION
 from quintrig.interrogation.found import Found, of_quantity
 from quintrig.interrogation.geodesics import between, from_point, tangent
+from quintrig.interrogation.line_jit import ENDED, NO_DIRECTION
 from quintrig.interrogation.local import Local
 from quintrig.interrogation.nets import Net
 from quintrig.interrogation.polyline import Values, line_of

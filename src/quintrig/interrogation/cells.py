@@ -4,8 +4,9 @@ Rows and blend are functions of one parameter each. Over every cell all of them 
 are met in Chebyshev's points; a cell in which they are not met to rounding is halved.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 
@@ -14,7 +15,7 @@ from quintrig.geometry.surface import Surface
 from quintrig.interrogation.field_jit import PARTIALS, SURFACE
 from quintrig.kernel.blocks import increment_blocks
 from quintrig.kernel.evaluate import row_derivatives, standing
-from quintrig.support.arrays import FloatArray
+from quintrig.support.arrays import BoolArray, FloatArray, aligned
 from quintrig.support.memory import address
 from quintrig.support.tolerance import SINGULAR
 
@@ -62,6 +63,24 @@ class Cells:
         self.scratch = PARTIALS + int(self.words[3]) + int(self.words[7])
 
 
+class Compiled:
+    """The surfaces of a model for compiled loops, each made when it is first needed; ``scratch`` is enough for all."""
+
+    def __init__(self, surfaces: Sequence[Surface], whole: bool, more: int) -> None:
+        """Take the surfaces; ``more`` is what loops need of scratch for themselves."""
+        self.surfaces, self.scratch = surfaces, aligned((more,))
+        self._whole, self._more = whole, more
+        self._made: dict[int, Cells] = {}
+
+    def address(self, patch: int) -> int:
+        """Return where the numbers of a surface lie."""
+        if patch not in self._made:
+            self._made[patch] = made = Cells(self.surfaces[patch], self._whole)
+            if len(self.scratch) < self._more + made.scratch:
+                self.scratch = aligned((self._more + made.scratch,))
+        return address(self._made[patch].words)
+
+
 def _parts(surface: Surface, whole: bool) -> tuple[Functions, Functions, int]:
     """Return origin and increments of the rows as functions of u, those of the blend of v, and how many coordinates."""
     near, blend = replace(surface, origin=np.zeros(3)), surface.blend
@@ -85,9 +104,10 @@ def _met(functions: Functions, breaks: FloatArray) -> tuple[FloatArray, FloatArr
     """Return the ends of cells (n + 1,) and the coefficients over them (n, powers, width)."""
     finer = 0.5 ** np.arange(1, _GRADED + 1)
     few = len(breaks) < 16  # spans that are many are short
-    inner = [np.linspace(a, b, 9 if few else 2) for a, b in zip(breaks[:-1], breaks[1:], strict=True)]
-    ends = np.unique(np.concatenate([*inner, finer, 1.0 - finer]))
-    low, high = ends[:-1], ends[1:]
+    inner: list[FloatArray] = [np.linspace(a, b, 9 if few else 2) for a, b in pairwise(breaks.tolist())]
+    ends: FloatArray = np.unique(np.concatenate([*inner, finer, 1.0 - finer]))
+    low: FloatArray = ends[:-1]
+    high: FloatArray = ends[1:]
     found: list[tuple[FloatArray, FloatArray]] = []
     for halving in range(_HALVINGS + 1):
         coefficients, met = _over(functions, low, high)
@@ -97,7 +117,7 @@ def _met(functions: Functions, breaks: FloatArray) -> tuple[FloatArray, FloatArr
         low, high = low[~met], high[~met]
         if not len(low):
             break
-        middle = 0.5 * (low + high)
+        middle: FloatArray = np.asarray(0.5 * (low + high), dtype=np.float64)
         low, high = np.concatenate([low, middle]), np.concatenate([middle, high])
     begins = np.concatenate([one for one, _ in found])
     order = np.argsort(begins)
@@ -105,7 +125,7 @@ def _met(functions: Functions, breaks: FloatArray) -> tuple[FloatArray, FloatArr
     return np.append(begins[order], 1.0), np.ascontiguousarray(coefficients)
 
 
-def _over(functions: Functions, low: FloatArray, high: FloatArray) -> tuple[FloatArray, np.ndarray]:
+def _over(functions: Functions, low: FloatArray, high: FloatArray) -> tuple[FloatArray, BoolArray]:
     """Return coefficients (n, powers, width) over cells, and whether they meet the functions between their points."""
     half = 0.5 * (high - low)[:, None]
     places = np.concatenate([_NODES, _BETWEEN])

@@ -11,7 +11,7 @@ from quintrig.support.arrays import FloatArray
 STAGES = 16
 """Stages of a step: twelve, the slope at its end, and three more for the dense output."""
 
-_STAGES = (
+_STAGES: tuple[dict[int, float], ...] = (
     {},
     {0: 0.05260015195876773},
     {0: 0.0197250569845379, 1: 0.0591751709536137},

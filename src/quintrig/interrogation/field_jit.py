@@ -147,7 +147,7 @@ def slope(surface: int, kind: int, mode: int, state: int, aim_u: float, aim_v: f
         back = lowered(scratch, turn[0], turn[1], turn[2])
         k[0], k[1], k[2], k[3] = p, q, -back[0], -back[1]
         return 0
-    normal, inverse, (a, b, c) = contraction.form(s, 0, about[0], about[1], 1)
+    _, inverse, (a, b, c) = contraction.form(s, 0, about[0], about[1], 1)
     mean, spread = curvature.mean(a, c), curvature.half_difference(a, b, c)
     ended = not spread > _UMBILIC * (abs(mean) + spread + about[2])
     x, y1 = curvature.principal_direction(a, b, c, spread)

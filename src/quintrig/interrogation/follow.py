@@ -7,7 +7,6 @@ from quintrig.interrogation.polyline import Path
 from quintrig.interrogation.trace import Seed, Tracer, Trail
 from quintrig.support.arrays import FloatArray
 
-
 Place = tuple[int, FloatArray, int]
 """Patch, parameters (2,) and family."""
 

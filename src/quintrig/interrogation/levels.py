@@ -109,7 +109,9 @@ class _Marched:
 
         def at(t: FloatArray, some: NDArray[np.intp]) -> FloatArray:
             uv = low[some] + t[:, None] * (high[some] - low[some])
-            return signed(self.grid.scalar(uv[:, 0], uv[:, 1]), self.level, None if reference is None else reference[some])
+            return signed(
+                self.grid.scalar(uv[:, 0], uv[:, 1]), self.level, None if reference is None else reference[some]
+            )
 
         t, value, scale = _falsi(at, len(low))
         return low + t[:, None] * (high - low), np.abs(value) <= _FALLS * scale
@@ -147,16 +149,18 @@ def _falsi(
     ``at`` gives the values of those with some numbers. Regula falsi as of Illinois (Dowell and Jarratt 1971), with a
     halving every third round; whose root is met takes no part any more.
     """
-    every = np.arange(count)
-    a, b = np.zeros(count), np.ones(count)
+    every: NDArray[np.intp] = np.arange(count)
+    a: FloatArray = np.zeros(count)
+    b: FloatArray = np.ones(count)
     fa, fb = at(a, every), at(b, every)
     scale = np.abs(fa) + np.abs(fb) + np.finfo(np.float64).tiny
     root, value = np.where(np.abs(fa) < np.abs(fb), a, b), np.where(np.abs(fa) < np.abs(fb), fa, fb)
-    rising, open_ = fa >= 0.0, every
+    rising = np.asarray(fa >= 0.0)
+    open_ = every
     for k in range(_ROUNDS):
         with np.errstate(divide="ignore", invalid="ignore"):
             guess = (a * fb - b * fa) / (fb - fa)
-        guess = np.where((guess > a) & (guess < b) & (k % 3 != 2), guess, 0.5 * (a + b))
+        guess: FloatArray = np.where((guess > a) & (guess < b) & (k % 3 != 2), guess, 0.5 * (a + b))
         found = at(guess, open_)
         better = np.abs(found) <= np.abs(value[open_])
         root[open_[better]], value[open_[better]] = guess[better], found[better]
@@ -164,7 +168,8 @@ def _falsi(
         fa, fb = np.where(like_a, found, 0.5 * fa), np.where(like_a, 0.5 * fb, found)
         a, b = np.where(like_a, guess, a), np.where(like_a, b, guess)
         left = (np.abs(value[open_]) > 1e-15 * scale[open_]) & (b - a > _SAME)
-        open_, a, b, fa, fb = (part[left] for part in (open_, a, b, fa, fb))
+        open_ = open_[left]
+        a, b, fa, fb = a[left], b[left], fa[left], fb[left]
         if not len(open_):
             break
     return root, value, scale

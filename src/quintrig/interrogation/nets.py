@@ -7,6 +7,7 @@ that to a line that was there before.
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from quintrig.interrogation.follow import Curve, Place, both_ways
 from quintrig.interrogation.local import Local
@@ -91,7 +92,7 @@ class Net:
                 s = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
                 middle = 0.5 * s[-1]
                 wanted = middle + self.spacing * np.arange(-int(middle / self.spacing), int(middle / self.spacing) + 1)
-                at = np.minimum(np.searchsorted(s, wanted), len(s) - 1)
+                at: NDArray[np.intp] = np.minimum(np.asarray(np.searchsorted(s, wanted), dtype=np.intp), len(s) - 1)
                 fits = self._near[other].free(points[at], _APART * self.spacing)
                 fits &= self.tracer.surfaces[path.patch].inside(*path.uv[at].T)
                 found += [(path.patch, uv, other) for uv in path.uv[at[fits]]]

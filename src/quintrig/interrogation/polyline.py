@@ -49,14 +49,14 @@ class Path:
 
     def then(self, other: "Path") -> "Path":
         """Return the path that goes on from its last point with another, which begins there."""
-        pairs = ((self.uv, other.uv[1:]), (self.middles, other.middles))
+        uv, middles = np.concatenate([self.uv, other.uv[1:]]), np.concatenate([self.middles, other.middles])
         known = None
         if self.known is not None and other.known is not None:
             known = (
                 np.concatenate([self.known[0], other.known[0][1:]]),
                 np.concatenate([self.known[1], other.known[1]]),
             )
-        return Path(self.patch, *(np.concatenate(pair) for pair in pairs), known=known)
+        return Path(self.patch, uv, middles, known=known)
 
     def cut(self, surface: Surface) -> "list[Path]":
         """Return the parts inside the trim loops; itself where there are none."""

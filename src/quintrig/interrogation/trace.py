@@ -6,11 +6,12 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from quintrig.geometry.surface import Surface
-from quintrig.interrogation.cells import Cells
+from quintrig.interrogation.cells import Compiled
 from quintrig.interrogation.dop853 import coefficients
 from quintrig.interrogation.field_jit import GEODESIC, STATE
 from quintrig.interrogation.flows import Flow
-from quintrig.interrogation.follow_jit import (
+from quintrig.interrogation.follow_jit import follow
+from quintrig.interrogation.line_jit import (
     AIM,
     AWAY,
     CLOSED,
@@ -28,17 +29,16 @@ from quintrig.interrogation.follow_jit import (
     MORE,
     NO_DIRECTION,
     POINT,
-    SCRATCH,
     STEP,
     STEPS,
     TOWARDS,
     TRIED,
     begin,
-    follow,
 )
 from quintrig.interrogation.polyline import Path, looked_up
 from quintrig.interrogation.seams import Seams
-from quintrig.support.arrays import FloatArray, aligned
+from quintrig.interrogation.step_jit import SCRATCH
+from quintrig.support.arrays import FloatArray
 from quintrig.support.memory import address
 
 RELATIVE = 1e-11
@@ -86,12 +86,11 @@ class Tracer:
         """Look at the seams once; no chord is longer than ``longest``."""
         self.surfaces, self.flow, self.chord, self.longest = surfaces, flow, chord, longest
         self.relative = RELATIVE
-        self.seams = Seams(surfaces)
+        self.compiled = Compiled(surfaces, flow.kind == GEODESIC, SCRATCH)
+        self.seams = Seams(self.compiled)
         self.size = self.seams.size
-        self._cells: dict[int, Cells] = {}
         self._table = coefficients()
         self._points: FloatArray = np.empty((_ROOM, 2))
-        self._scratch: FloatArray = np.empty(0)
 
     def trace(self, seeds: Sequence[Seed], length: float | Sequence[float]) -> list[Trail]:
         """Return the lines from the seeds, at most ``length`` long (length¹), in their order."""
@@ -119,17 +118,8 @@ class Tracer:
         return lines
 
     def _begin(self, patch: int, lines: FloatArray) -> None:
-        begin(self._surface(patch), self.flow.kind, address(lines), len(lines), address(self._scratch))
+        begin(self.compiled.address(patch), self.flow.kind, address(lines), len(lines), address(self.compiled.scratch))
         lines[:, _POINT] += self.surfaces[patch].origin
-
-    def _surface(self, patch: int) -> int:
-        """Return where a surface's numbers for compiled loops lie, with scratch that suffices for it."""
-        if patch not in self._cells:
-            self._cells[patch] = Cells(self.surfaces[patch], self.flow.kind == GEODESIC)
-        cells = self._cells[patch]
-        if len(self._scratch) < SCRATCH + cells.scratch:
-            self._scratch = aligned((SCRATCH + cells.scratch,))
-        return address(cells.words)
 
     def _follow(self, line: FloatArray, patch: int, trail: Trail) -> None:
         """Follow a line from patch to patch, and write its paths down."""
@@ -155,7 +145,7 @@ class Tracer:
 
     def _in_patch(self, line: FloatArray, patch: int) -> FloatArray:
         """Return parameters (2n + 1, 2) of a line up to where it ends or leaves the patch: points and middles."""
-        surface, origin = self._surface(patch), self.surfaces[patch].origin
+        surface, origin = self.compiled.address(patch), self.surfaces[patch].origin
         settings = np.array([self.relative, self.size, self.chord, self.longest])
         line[_HOME] -= origin
         line[TRIED], line[ENDED] = 0.0, MORE
@@ -163,7 +153,7 @@ class Tracer:
         while line[ENDED] == MORE:
             follow(
                 *(surface, self.flow.kind, address(line), address(settings), address(self._table)),
-                *(address(self._points), _ROOM, address(self._scratch)),
+                *(address(self._points), _ROOM, address(self.compiled.scratch)),
             )
             parts.append(self._points[: int(line[COUNT])].copy())
         line[_HOME] += origin
