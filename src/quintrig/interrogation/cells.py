@@ -102,7 +102,7 @@ def _parts(surface: Surface, whole: bool) -> tuple[Functions, Functions, int]:
 
 def _met(functions: Functions, breaks: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Return the ends of cells (n + 1,) and the coefficients over them (n, powers, width)."""
-    finer = 0.5 ** np.arange(1, _GRADED + 1)
+    finer = np.ldexp(1.0, -np.arange(1, _GRADED + 1))
     few = len(breaks) < 16  # spans that are many are short
     inner: list[FloatArray] = [np.linspace(a, b, 9 if few else 2) for a, b in pairwise(breaks.tolist())]
     ends: FloatArray = np.unique(np.concatenate([*inner, finer, 1.0 - finer]))
