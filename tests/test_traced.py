@@ -108,3 +108,18 @@ def test_a_geodesic_of_given_length_ends_on_the_edge_or_before_it():
         reach = min(length, 2.5 / way.max())
         assert line.length == pytest.approx(reach, rel=1e-9)
         np.testing.assert_allclose(line.points[-1, :2], 2.5 + reach * way, atol=1e-8)
+
+
+def test_lines_along_an_edge_run_along_all_of_it():
+    strip = quintrig.load("examples/developable.toml").patches[0].surface  # its edge u = 0 is a ruling
+    for surface, kind in (
+        (quintrig.enneper(1), "curvature"),
+        (quintrig.helicoid(1, 2), "asymptotic"),
+        (strip, "curvature"),
+    ):
+        found = quintrig.lines(surface, kind, start=(0.0, 0.3), tolerance=1e-5 * surface.size)
+        along = [line for line in found if np.ptp(line.uv[:, 0]) < 1e-9]
+        t = np.linspace(0.0, 1.0, 4001)
+        wanted = np.linalg.norm(np.diff(surface(0.0 * t, t), axis=0), axis=1).sum()
+        assert [line.length for line in along] == [pytest.approx(wanted, rel=1e-6)]
+        assert (np.diff(along[0].uv[:, 1]) > 0).all() or (np.diff(along[0].uv[:, 1]) < 0).all()

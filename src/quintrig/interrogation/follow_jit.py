@@ -37,18 +37,23 @@ _MOST = 4000  # steps of a line in one patch
 _LONGEST = 0.1  # of the size: a step
 _SHORTEST = 1e-10  # of the size: a step; a line that needs shorter ones ends
 _BEYOND = 1e-13  # of the domain: rounding
+_STRAYS = 1e-9  # of the domain: what a line along an edge may lie off it after a step
 _OVER = 1e-9  # of the size: what a line may be too long to end on an edge
 
 
 @part
-def _exit(scratch: int, reach: float) -> int:
-    """Return axis + 2 end through which a line leaves that goes straight on within ``reach`` (length¹), else -1."""
+def _exit(scratch: int, reach: float, h: float) -> int:
+    """Return axis + 2 end through which a line leaves that goes straight on within ``reach`` (length¹), else -1.
+
+    A line along an edge does not leave through it: over a step ``h`` it strays by no more than rounding.
+    """
     y, k = floats_at(scratch), floats_at(scratch + 8 * SLOPES)
     best, found = reach, -1
     for axis in range(2):
         speed = k[axis]
-        if abs(speed) > 0.0:
-            s = ((1.0 if speed > 0.0 else 0.0) - y[axis]) / speed
+        gap = (1.0 if speed > 0.0 else 0.0) - y[axis]
+        if abs(speed) > 0.0 and (abs(gap) > _BEYOND or abs(speed) * h > _STRAYS):
+            s = gap / speed
             if s <= best:
                 best, found = s, axis + (2 if speed > 0.0 else 0)
     return found
@@ -87,7 +92,7 @@ def follow(surface: int, kind: int, line: int, settings: int, table: int, points
             factor = min(max(0.85 / np.sqrt(np.sqrt(np.sqrt(error))), 0.2), 10.0)
         if axis < 0:
             if min(end[0], end[1]) < -_BEYOND or max(end[0], end[1]) > 1.0 + _BEYOND:
-                leaves = _exit(scratch, min(1.5 * h, w[LEFT] + _OVER * size))
+                leaves = _exit(scratch, min(1.5 * h, w[LEFT] + _OVER * size), h)
                 if leaves >= 0:
                     axis, edge = leaves & 1, float(leaves >> 1)
                     reach, done, h = edge - y[axis], 0.0, 1.0
@@ -102,9 +107,9 @@ def follow(surface: int, kind: int, line: int, settings: int, table: int, points
                 continue
         else:
             other = end[1 - axis]
-            if good and (other < -_BEYOND or other > 1.0 + _BEYOND):  # it leaves through the other side
-                good, factor = False, 0.0
-            if good and end[4] - y[4] > w[LEFT] + _OVER * size:  # it ends before
+            ds = end[4] - y[4]
+            # Unless it leaves through the other side before, or ends before, or would turn back.
+            if good and (min(other, 1.0 - other) < -_BEYOND or not 0.0 < ds <= w[LEFT] + _OVER * size):
                 good, factor = False, 0.0
             if not good:
                 h *= min(0.9, factor)
