@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import cast
 
 import numpy as np
 
@@ -17,12 +18,45 @@ _HALVINGS = 40  # to find where a line leaves a face
 
 @dataclass(frozen=True, eq=False)
 class Path:
-    """Parameters on one patch: ``uv`` (n, 2), and ``middles`` (n - 1, 2) of the line between them."""
+    """Parameters on one patch: ``uv`` (n, 2), and ``middles`` (n - 1, 2) of the line between them.
+
+    ``known`` are the points of both, where they were looked up before.
+    """
 
     patch: int
     uv: FloatArray
     middles: FloatArray
     closed: bool = False
+    known: tuple[FloatArray, FloatArray] | None = None
+
+    def on(self, surface: Surface) -> tuple[FloatArray, FloatArray]:
+        """Return the points (n, 3), and those in the middles (n - 1, 3), length¹."""
+        if self.known is None:
+            object.__setattr__(self, "known", (surface(*self.uv.T), surface(*self.middles.T)))
+        return cast(tuple[FloatArray, FloatArray], self.known)
+
+    def part(self, first: int, last: int) -> "Path":
+        """Return the path from point ``first`` up to before ``last``."""
+        known = None if self.known is None else (self.known[0][first:last], self.known[1][first : last - 1])
+        whole = last - first == len(self.uv)
+        return Path(self.patch, self.uv[first:last], self.middles[first : last - 1], self.closed and whole, known)
+
+    @property
+    def backwards(self) -> "Path":
+        """The path from its end to its beginning."""
+        known = None if self.known is None else (self.known[0][::-1], self.known[1][::-1])
+        return Path(self.patch, self.uv[::-1], self.middles[::-1], self.closed, known)
+
+    def then(self, other: "Path") -> "Path":
+        """Return the path that goes on from its last point with another, which begins there."""
+        uv, middles = np.concatenate([self.uv, other.uv[1:]]), np.concatenate([self.middles, other.middles])
+        known = None
+        if self.known is not None and other.known is not None:
+            known = (
+                np.concatenate([self.known[0], other.known[0][1:]]),
+                np.concatenate([self.known[1], other.known[1]]),
+            )
+        return Path(self.patch, uv, middles, known=known)
 
     def cut(self, surface: Surface) -> "list[Path]":
         """Return the parts inside the trim loops; itself where there are none."""
@@ -60,9 +94,20 @@ class Path:
         return (low if leaving else high)[None, :]
 
 
+def looked_up(surfaces: Sequence[Surface], paths: Sequence[Path]) -> None:
+    """Look the points of all paths up, those of a patch at once."""
+    for patch in {path.patch for path in paths}:
+        here = [path for path in paths if path.patch == patch]
+        uv = [part for path in here for part in (path.uv, path.middles)]
+        ends = np.cumsum([len(part) for part in uv])[:-1]
+        points = np.split(surfaces[patch](*np.concatenate(uv).T), ends)
+        for path, pair in zip(here, zip(points[::2], points[1::2], strict=True), strict=True):
+            object.__setattr__(path, "known", pair)
+
+
 def measured(surface: Surface, path: Path) -> tuple[FloatArray, FloatArray, float]:
     """Return points (n, 3), arc length (n,) and chord error of a path, length¹."""
-    points, middles = surface(*path.uv.T), surface(*path.middles.T)
+    points, middles = path.on(surface)
     before, after, chord = middles - points[:-1], points[1:] - middles, points[1:] - points[:-1]
     halves = np.linalg.norm(before, axis=1) + np.linalg.norm(after, axis=1)
     whole = np.linalg.norm(chord, axis=1)

@@ -56,8 +56,4 @@ def _extreme(surface: Surface, uv: FloatArray, scalar: Scalar, family: int) -> B
 def _parts(path: Path, kept: BoolArray) -> list[Path]:
     """Return the stretches of a path, of two points or more, that are kept."""
     ends = np.flatnonzero(np.diff(np.concatenate([[False], kept, [False]]).astype(int))).reshape(-1, 2)
-    return [
-        Path(path.patch, path.uv[a:b], path.middles[a : b - 1], path.closed and b - a == len(kept))
-        for a, b in ends.tolist()
-        if b - a > 1
-    ]
+    return [path.part(a, b) for a, b in ends.tolist() if b - a > 1]
