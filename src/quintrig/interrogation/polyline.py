@@ -2,12 +2,14 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
+from numpy.typing import NDArray
 
 from quintrig.geometry.surface import Surface
 from quintrig.interrogation.line import Line
-from quintrig.support.arrays import FloatArray
+from quintrig.support.arrays import BoolArray, FloatArray
 
 Values = Callable[[Surface, FloatArray], FloatArray]
 """The quantity at parameters (n, 2) of a surface, (n,)."""
@@ -17,34 +19,44 @@ _HALVINGS = 40  # to find where a line leaves a face
 
 @dataclass(frozen=True, eq=False)
 class Path:
-    """Parameters on one patch: ``uv`` (n, 2), and ``middles`` (n - 1, 2) of the line between them."""
+    """Parameters on one patch: ``uv`` (n, 2), and ``middles`` (n - 1, 2) of the line between them.
+
+    ``quarters`` (n - 1, 2, 2), where they are known, lie before and after the middles.
+    """
 
     patch: int
     uv: FloatArray
     middles: FloatArray
     closed: bool = False
+    quarters: FloatArray | None = None
 
     def cut(self, surface: Surface) -> "list[Path]":
         """Return the parts inside the trim loops; itself where there are none."""
         if not surface.trim:
             return [self]
         inside = surface.inside(*self.uv.T)
-        if inside.all():
+        return self.parts(inside, [self._crossing(surface, int(i), bool(inside[i])) for i in changes(inside)])
+
+    def parts(self, kept: BoolArray, crossings: Sequence[FloatArray]) -> "list[Path]":
+        """Return the stretches of points that are kept, each to the crossing (1, 2) between them and the next one."""
+        if kept.all():
             return [self]
         parts: list[Path] = []
         start = 0
-        change = np.flatnonzero(inside[1:] != inside[:-1])
-        ends = {int(i): self._crossing(surface, int(i), bool(inside[i])) for i in change}
-        for i in [*ends, len(inside) - 1]:
-            if inside[i]:
+        ends = dict(zip(changes(kept).tolist(), crossings, strict=True))
+        for i in [*ends, len(kept) - 1]:
+            if kept[i]:
                 head = [ends[start - 1]] if start else []
                 tail = [ends[i]] if i in ends else []
                 uv = np.concatenate([*head, self.uv[start : i + 1], *tail])
-                middles = 0.5 * (uv[1:] + uv[:-1])
+                middles, quarters = 0.5 * (uv[1:] + uv[:-1]), None
                 whole = slice(len(head), len(head) + i - start)
                 middles[whole] = self.middles[start:i]
+                if self.quarters is not None:
+                    quarters = np.stack([0.5 * (uv[:-1] + middles), 0.5 * (middles + uv[1:])], axis=1)
+                    quarters[whole] = self.quarters[start:i]
                 if len(uv) > 1:
-                    parts.append(Path(self.patch, uv, middles))
+                    parts.append(Path(self.patch, uv, middles, False, quarters))
             start = i + 1
         return parts
 
@@ -60,16 +72,46 @@ class Path:
         return (low if leaving else high)[None, :]
 
 
+def changes(kept: BoolArray) -> NDArray[np.intp]:
+    """Return after which points of a line it is kept no longer, or from the next one on."""
+    return np.flatnonzero(kept[1:] != kept[:-1])
+
+
+def strayed(
+    surface: Surface, uv: FloatArray, middles: FloatArray, quarters: FloatArray | None
+) -> tuple[FloatArray, FloatArray]:
+    """Return points (n, 3), and how far the line is from each chord (n - 1,), length¹.
+
+    At the quarters a smooth line is off by 3/4 of what it is in the middle; where it is not, it may be off by more
+    between them, and the difference is added.
+    """
+    points = surface(*uv.T)
+    between = middles[:, None] if quarters is None else np.concatenate([middles[:, None], quarters], axis=1)
+    chord, before = np.diff(points, axis=0)[:, None], surface(between[..., 0], between[..., 1]) - points[:-1, None]
+    square = np.einsum("nmk,nmk->nm", chord, chord)
+    share = np.clip(np.einsum("nmk,nmk->nm", before, chord) / np.where(square > 0.0, square, 1.0), 0.0, 1.0)
+    away = before - share[..., None] * chord
+    rough = np.linalg.norm(away[:, 1:] - 0.75 * away[:, :1], axis=2).max(axis=1, initial=0.0)
+    return points, np.linalg.norm(away, axis=2).max(axis=1) + rough
+
+
 def measured(surface: Surface, path: Path) -> tuple[FloatArray, FloatArray, float]:
     """Return points (n, 3), arc length (n,) and chord error of a path, length¹."""
-    points, middles = surface(*path.uv.T), surface(*path.middles.T)
-    before, after, chord = middles - points[:-1], points[1:] - middles, points[1:] - points[:-1]
-    halves = np.linalg.norm(before, axis=1) + np.linalg.norm(after, axis=1)
-    whole = np.linalg.norm(chord, axis=1)
-    s = np.concatenate([[0.0], np.cumsum((4.0 * halves - whole) / 3.0)])
-    share = np.clip(np.einsum("nk,nk->n", before, chord) / np.where(whole > 0.0, whole * whole, 1.0), 0.0, 1.0)
-    off = np.linalg.norm(before - share[:, None] * chord, axis=1)
+    points, off = strayed(surface, path.uv, path.middles, path.quarters)
+    stops = [points[:-1], surface(*path.middles.T), points[1:]]
+    lengths = [_length(stops[::2]), _length(stops)]
+    if path.quarters is not None:
+        first, last = (surface(*path.quarters[:, k].T) for k in (0, 1))
+        lengths.append(_length([stops[0], first, stops[1], last, stops[2]]))
+    step = (4.0 * lengths[-1] - lengths[-2]) / 3.0  # chords of half the width are off by a quarter
+    s = np.concatenate([[0.0], np.cumsum(np.maximum(step, lengths[0]))])
     return points, s, float(off.max(initial=0.0))
+
+
+def _length(stops: Sequence[FloatArray]) -> FloatArray:
+    """Return the length of polylines through points (n, 3) each."""
+    steps = [np.linalg.norm(after - before, axis=1) for before, after in pairwise(stops)]
+    return np.asarray(np.sum(steps, axis=0))
 
 
 def line_of(
