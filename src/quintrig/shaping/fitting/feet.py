@@ -23,7 +23,7 @@ _ON_BORDER = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class Sheet:
-    """The patches of a form at given unknowns, as one surface with parameters (n, 2) from 0 to the numbers of patches."""
+    """The patches of a form at given unknowns, as one surface with parameters (n, 2) from 0 to their numbers."""
 
     form: Form
     q: FloatArray
