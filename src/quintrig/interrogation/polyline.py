@@ -127,15 +127,15 @@ def strayed(points: FloatArray, between: FloatArray) -> FloatArray:
     """Return how far a line through points (n, 3) is from each chord (n - 1,), length¹.
 
     ``between`` (n - 1, m, 3) are points of it in the middle of each and, where known, at the quarters. There a smooth
-    line is off by 3/4 of what it is in the middle; where it is not, it may be off by more between them, and the
-    difference is added.
+    line is off by 3/4 of what it is in the middle; where it is not, it may be off by more between them, and twice
+    the difference is added.
     """
     chord, before = np.diff(points, axis=0)[:, None], between - points[:-1, None]
     square = np.einsum("nmk,nmk->nm", chord, chord)
     share = np.clip(np.einsum("nmk,nmk->nm", before, chord) / np.where(square > 0.0, square, 1.0), 0.0, 1.0)
     away = before - share[..., None] * chord
     rough = np.linalg.norm(away[:, 1:] - 0.75 * away[:, :1], axis=2).max(axis=1, initial=0.0)
-    return np.linalg.norm(away, axis=2).max(axis=1) + rough
+    return np.linalg.norm(away, axis=2).max(axis=1) + 2.0 * rough
 
 
 def measured(surface: Surface, path: Path) -> tuple[FloatArray, FloatArray, float]:
