@@ -38,6 +38,9 @@ _TOLD = 0.1
 _EDGE = 101
 """Places along an edge from which the feet of border points are followed."""
 
+_FINE = 1e-5
+"""Of the size: noise of points below which they tell all of a surface, as exact ones do."""
+
 _UNREACHED = 0.05
 """Of the size: as far beyond the border of a surface a point still draws it."""
 
@@ -192,11 +195,16 @@ def _judged(state: State, feet: Feet, data: Data, usual: float | None = None) ->
     return _Step(state, feet, weights, float(np.sqrt(square / total)) if total > 0.0 else np.inf, usual or 0.0)
 
 
+def left_out(form: Form, data: Data, state: State) -> int:
+    """Return the number of points that a fit does not trust."""
+    return int(((_at(form, state, data).weights == 0.0) & (data.weights > 0.0)).sum())
+
+
 def spread(form: Form, data: Data, state: State) -> tuple[FloatArray, FloatArray]:
     """Return the standard deviations of the shape parameters, and the residual's, from the last normal equations."""
     here = _at(form, state, data)
     feet, weights = here.feet, here.weights
-    made = _made(form, state, feet, data, weights, 1e-4, free=True)
+    made = _made(form, here, data, 1e-4, free=True)
     count = int((weights > 0.0).sum())
     freedom = max(count - len(state.q) - len(state.theta), 1)
     variance = float((weights * (feet.away**2).sum(axis=1)).sum()) / freedom
@@ -235,7 +243,8 @@ def _sides(form: Form, sheet: Sheet, points: FloatArray) -> tuple[FloatArray, Fl
     return cloud[nearest], side[:, 0], side[:, 1]
 
 
-def _made(form: Form, state: State, feet: Feet, data: Data, weights: FloatArray, slide: float, free: bool) -> System:
+def _made(form: Form, here: _Step, data: Data, slide: float, free: bool) -> System:
+    state, feet, weights, rms = here.state, here.feet, here.weights, here.rms
     normal = feet.normal
     along = normal[:, :, None] * normal[:, None, :]
     # Where the distance is not along the normal, the foot may slide along the border alone.
@@ -245,14 +254,15 @@ def _made(form: Form, state: State, feet: Feet, data: Data, weights: FloatArray,
         along[feet.edge] = np.eye(3) - beside[:, :, None] * beside[:, None, :]
     weight = weights[:, None, None] * (slide * np.eye(3) + (1.0 - slide) * along)
     at = np.stack([feet.u, feet.v], axis=1)
-    return system_of(form, state.q, state.theta, feet.which, at, weight, feet.away, data.smooth, free)
+    noise = float(np.mean(weights)) * rms**2 if data.robust and rms > _FINE else 0.0
+    return system_of(form, state.q, state.theta, feet.which, at, weight, feet.away, data.smooth, free, noise)
 
 
 def _stepped(form: Form, here: _Step, data: Data, slide: float, free: bool, but: int | None) -> State:
     """Return the state one step on; ``slide`` is how much points may not slide along the surface meanwhile."""
     state = here.state
     free = free and len(state.theta) > 0
-    made = _made(form, state, here.feet, data, here.weights, slide, free)
+    made = _made(form, here, data, slide, free)
     theta = state.theta
     shift = np.zeros(len(theta))
     low = np.array([one.low + (1e-6 if one.open[0] else 0.0) for one in form.ranges.values()])
