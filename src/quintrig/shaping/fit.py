@@ -35,12 +35,13 @@ HELD = ("tensor", "symmetric", "swept", "ruled")
 _GRIDS = ((1, 1), (2, 2), (3, 3), (4, 4), (6, 6), (8, 8))
 """Grids of patches that are tried in turn where a tolerance is asked for."""
 
-_FIRST, _MAIN, _LAST = 1200, 6000, 200_000
+_FIRST, _MAIN, _LAST = 600, 6000, 200_000
 """Points by which the start is chosen, by which it is refined, and at the end."""
 
 _CLOSE, _WORSE = 1.05, 3.0
 """Times the rms of the best way to begin, between which the second is followed too: nearer it is as good."""
 
+_FEW_OUTLIERS = 0.02  # of the points: with so few it is tried whether they can be met after all
 _DRAWN = 0.01  # weight of a border point's distance from the edge, beside that from the surface
 _ON_CURVE = 200  # points of a given edge
 
@@ -228,6 +229,11 @@ class _Work:
         done = [solve.refined(form, main, replace(one, rms=np.inf), False, 30, 1e-4) for one in ranked]
         best = min(done, key=lambda one: one.rms)
         best = solve.refined(form, main, best, self.free, 80)
+        if main.robust and 0 < solve.left_out(form, main, best) <= _FEW_OUTLIERS * len(main.points):
+            # They may be no outliers, but what a surface that curls up in a corner does not reach.
+            other = solve.refined(form, replace(main, robust=False), best, self.free, 30)
+            other = solve.refined(form, main, replace(other, rms=np.inf), self.free, 80)
+            best = min(best, other, key=lambda one: one.rms)
         self._single = form, best
         return self._single
 
