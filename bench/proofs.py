@@ -1,10 +1,13 @@
-"""Proofs as ratios: against one sampling at 129 x 129 points, and boxes against interval arithmetic's."""
+"""Proofs as ratios, against one sampling at 129 x 129 points; boxes against interval arithmetic's; nets of lines."""
+
+from pathlib import Path
 
 import numpy as np
 
 import quintrig
 from bench.timing import race, ratio, spelt, table
 from quintrig.enclosures.prove import Prover
+from quintrig.figure import space_picture, to_png_bytes
 
 CLAIMS = {"regular": 50, "gaussian >= 0": 50, "range of K to 1e-3": 200}
 """What is timed, and how many samplings it may take at most."""
@@ -121,6 +124,29 @@ def dot(x: list[Interval], y: list[Interval]) -> Interval:
     return plus(plus(times(x[0], y[0]), times(x[1], y[1])), times(x[2], y[2]))
 
 
+BOOT = Path(__file__).parent.parent / "examples" / "car_boot.toml"
+
+
+def nets(quick: bool) -> None:
+    """Print what nets of lines on the boot lid take, and complain where one takes longer than its report picture."""
+    model = quintrig.load(BOOT)
+    surface, picture = model.patches[0].surface, "its report picture, of H in space"
+    ways = {
+        picture: lambda: to_png_bytes(space_picture(surface, "mean", unit=model.unit), 144),
+        "net of lines of curvature": lambda: quintrig.lines(model, "curvature"),
+        "net of asymptotic lines": lambda: quintrig.lines(model, "asymptotic"),
+        "geodesic between two points": lambda: quintrig.lines(model, "geodesic", start=(0.1, 0.1), to=(0.9, 0.8)),
+        "isophotes": lambda: quintrig.lines(model, "isophotes", direction=(0, 0, 1)),
+    }
+    found = race(ways, 5 if quick else 15)
+    rows = [(name, f"{one.median * 1e3:.0f}", spelt(one, found[picture])) for name, one in found.items()]
+    print("\nLines on the boot lid, the report picture being 1\n")
+    table(("what", "milliseconds", "pictures"), rows)
+    middle = ratio(found["net of lines of curvature"], found[picture])[0]
+    if middle > 1.0:
+        print(f"\nnet of lines of curvature: {middle:.1f} pictures, more than 1")
+
+
 def report(quick: bool) -> None:
     """Print the tables."""
     points = net()
@@ -157,3 +183,4 @@ def report(quick: bool) -> None:
         middle = ratio(times_[name], times_[sampling])[0]
         if middle > most:
             print(f"\n{name}: {middle:.0f} samplings, more than {most}")
+    nets(quick)

@@ -8,10 +8,11 @@ import numpy as np
 from quintrig.geometry.surface import Surface
 from quintrig.interrogation.ask import MOST, Ask, few, length, place, vector
 from quintrig.interrogation.fields import normal_curvature
-from quintrig.interrogation.flows import Asymptotic, Flow, Geodesic, Principal
+from quintrig.interrogation.flows import ASYMPTOTIC_DIRECTIONS, GEODESICS, PRINCIPAL_DIRECTIONS, Flow
 from quintrig.interrogation.follow import Curve, both_ways
 from quintrig.interrogation.found import Found, of_quantity
 from quintrig.interrogation.geodesics import between, from_point, tangent
+from quintrig.interrogation.line_jit import ENDED, NO_DIRECTION
 from quintrig.interrogation.local import Local
 from quintrig.interrogation.nets import Net
 from quintrig.interrogation.polyline import Values, line_of
@@ -39,14 +40,14 @@ def curvature(on: Subject, ask: Ask) -> Found:
                 raise ValueError(f"{name}: expected the lines that leave umbilics, or others, found both")
         return _leaving(on, ask, found)
     values = {mode: of_quantity(f"k{mode}") for mode in (1, 2)}
-    return _of_flow(on, ask, Principal(), found, _LABELS, values)
+    return _of_flow(on, ask, PRINCIPAL_DIRECTIONS, found, _LABELS, values)
 
 
 def asymptotic(on: Subject, ask: Ask) -> Found:
     """Asymptotic lines, with K."""
     found = Found("Gaussian curvature", on.measure(-2), traced=True)
     values = of_quantity("gaussian")
-    found = _of_flow(on, ask, Asymptotic(), found, _SIDES, {1: values, 2: values})
+    found = _of_flow(on, ask, ASYMPTOTIC_DIRECTIONS, found, _SIDES, {1: values, 2: values})
     if not found.lines:
         found.notes.append("there are asymptotic lines only where K < 0")
     return found
@@ -73,7 +74,7 @@ def _of_flow(
         part = on if ask.patch is None else _only(on, ask.patch)
         curves, on = _net(part, ask, flow, reach), part
         curves = [curve for curve in curves if curve.modes[0] in families]
-        if not curves and isinstance(flow, Principal):
+        if not curves and flow is PRINCIPAL_DIRECTIONS:
             found.notes.append("there is no line of curvature: every point is an umbilic, or singular")
     return _written(on, curves, found, labels, values)
 
@@ -105,9 +106,9 @@ def _refuse_no_direction(tracer: Tracer, patch: int, at: FloatArray) -> None:
         area, K = float(local.area), float(local.gaussian)
     if not np.isfinite(area) or not np.isfinite(K):
         raise ValueError(f"start: {name} is a singular point of the surface; begin beside it")
-    if isinstance(tracer.flow, Asymptotic) and not K < 0.0:
+    if tracer.flow is ASYMPTOTIC_DIRECTIONS and not K < 0.0:
         raise ValueError(f"start: {name} has K = {K:.3g}, and asymptotic lines run only where K < 0; begin there")
-    if tracer.flow.ended(surface, at[None, :])[0]:
+    if tracer.begun([Seed(patch, at, mode=tracer.flow.modes[0])])[0, ENDED] == NO_DIRECTION:
         raise ValueError(
             f"start: {name} is an umbilic, where directions have no sense; begin beside it, or ask for umbilics"
         )
@@ -120,31 +121,23 @@ def _net(on: Subject, ask: Ask, flow: Flow, reach: float) -> list[Curve]:
     tracer.relative = _NET
     net = Net(tracer, spacing, reach, MOST, on.tell)
     starts = [(k, uv) for k, surface in enumerate(on.surfaces) for uv in _starts(tracer, k) if surface.inside(*uv)]
-    for start in starts:
-        net.fill([start])
-        if len(net.curves) >= MOST:
-            break
-    return net.curves
+    return net.fill(starts)
 
 
 def _starts(tracer: Tracer, patch: int) -> list[FloatArray]:
     """Return where a net begins on a patch: off its middle, where umbilics like to be, then over all of it."""
-    surface = tracer.surfaces[patch]
     t = np.linspace(0.113, 0.913, 5)
     grid: FloatArray = np.stack(np.meshgrid(t, t, indexing="ij"), axis=-1).reshape(-1, 2)
     order = np.argsort(np.abs(grid - 0.3).max(axis=1), kind="stable")
-    with np.errstate(divide="ignore", invalid="ignore"):
-        ended = tracer.flow.ended(surface, grid)
-        local = Local.at(surface, *grid.T)
-        size = np.isfinite(local.gaussian)
-    return [grid[k] for k in order.tolist() if not ended[k] and size[k]]
+    begun = tracer.begun([Seed(patch, uv, mode=tracer.flow.modes[0]) for uv in grid[order]])
+    return [line[:2] for line in begun if line[ENDED] != NO_DIRECTION]
 
 
 def _leaving(on: Subject, ask: Ask, found: Found) -> Found:
     """Return the lines of curvature that leave umbilics."""
     reach = _reach(on, ask)
     part = on if ask.patch is None else _only(on, ask.patch)
-    tracer = Tracer(part.surfaces, Principal(), on.chord)
+    tracer = Tracer(part.surfaces, PRINCIPAL_DIRECTIONS, on.chord)
     seeds: list[Seed] = []
     for number, patch in enumerate(part.patches):
         surface = patch.surface
@@ -178,7 +171,7 @@ def geodesic(on: Subject, ask: Ask) -> Found:
     patch, at = on.number(ask.patch), place(ask.start, "start")
     _refuse_outside(on, patch, at)
     found = Found("normal curvature", on.measure(-1), traced=True)
-    tracer = Tracer(on.surfaces, Geodesic(), on.chord)
+    tracer = Tracer(on.surfaces, GEODESICS, on.chord)
     if not np.isfinite(float(Local.at(on.surfaces[patch], *at, order=1).area)):
         raise ValueError(f"start: {at[0]:g},{at[1]:g} is a singular point of the surface; begin beside it")
     if ask.to is not None:

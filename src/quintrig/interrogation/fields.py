@@ -27,8 +27,7 @@ def normal_scalar(surface: Surface, direction: FloatArray) -> Scalar:
     """Return n · d of the unit normal with a unit vector (3,): isophotes, silhouettes from afar, draft angles."""
 
     def parts(u: FloatArray, v: FloatArray) -> Parts:
-        with np.errstate(divide="ignore", invalid="ignore"):
-            return dot(Local.at(surface, u, v, 1).normal, direction), _ONE, None
+        return dot(analyse(surface, u, v, ("normal",), threads=1).normal, direction), _ONE, None
 
     return parts
 
@@ -37,10 +36,10 @@ def facing_scalar(surface: Surface, eye: FloatArray) -> Scalar:
     """Return n · (eye - S) / |eye - S|: the silhouette as seen from a point (3,)."""
 
     def parts(u: FloatArray, v: FloatArray) -> Parts:
+        sample = analyse(surface, u, v, ("point", "normal"), threads=1)
         with np.errstate(divide="ignore", invalid="ignore"):
-            local = Local.at(surface, u, v, 1)
-            ray = eye - local.point
-            return dot(local.normal, ray) / np.linalg.norm(ray, axis=-1), _ONE, None
+            ray = eye - sample.point
+            return dot(sample.normal, ray) / np.linalg.norm(ray, axis=-1), _ONE, None
 
     return parts
 
@@ -69,14 +68,13 @@ def lights_scalar(
     """
 
     def parts(u: FloatArray, v: FloatArray) -> Parts:
-        with np.errstate(divide="ignore", invalid="ignore"):
-            local = Local.at(surface, u, v, 1)
-            ray = local.normal
-            if eye is not None:
-                view = eye(local.point)
-                ray = 2.0 * dot(ray, view)[..., None] * ray - view
+        sample = analyse(surface, u, v, ("point", "normal"), threads=1)
+        ray = sample.normal
+        if eye is not None:
+            view = eye(sample.point)
+            ray = 2.0 * dot(ray, view)[..., None] * ray - view
         plane = np.cross(along, ray)
-        return dot(plane, local.point - light), dot(plane, across), None
+        return dot(plane, sample.point - light), dot(plane, across), None
 
     return parts
 

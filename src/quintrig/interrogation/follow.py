@@ -1,14 +1,14 @@
 """Lines of a flow through given points, to both sides."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-import numpy as np
-
-from quintrig.interrogation.local import Local
 from quintrig.interrogation.polyline import Path
 from quintrig.interrogation.trace import Seed, Tracer, Trail
 from quintrig.support.arrays import FloatArray
+
+Place = tuple[int, FloatArray, int]
+"""Patch, parameters (2,) and family."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -21,35 +21,26 @@ class Curve:
     ended: str
 
 
-def both_ways(tracer: Tracer, places: Sequence[tuple[int, FloatArray, int]], length: float) -> list[Curve]:
+def both_ways(tracer: Tracer, places: Sequence[Place], length: float) -> list[Curve]:
     """Return the lines through (patch, parameters, family), ``length`` long to each side (length¹)."""
-    seeds = [Seed(patch, uv, heading(tracer, patch, uv, mode), mode) for patch, uv, mode in places]
-    ahead = tracer.trace(seeds, length)
+    ahead = tracer.trace([Seed(patch, uv, mode=mode) for patch, uv, mode in places], length)
     again = [k for k, trail in enumerate(ahead) if not trail.closed]
-    turned = [Seed(seeds[k].patch, seeds[k].uv, -seeds[k].towards, seeds[k].mode) for k in again]
+    turned = [Seed(*places[k][:2], mode=places[k][2], sense=-1.0) for k in again]
     back = dict(zip(again, tracer.trace(turned, length), strict=True))
     return [_joined(trail, back.get(k)) for k, trail in enumerate(ahead)]
-
-
-def heading(tracer: Tracer, patch: int, uv: FloatArray, mode: int) -> FloatArray:
-    """Return the direction in space (3,) of a family, in one sense or the other; NaN where it has none."""
-    local = Local.at(tracer.surfaces[patch], *uv, order=1)
-    slope = tracer.flow.slope(tracer.surfaces[patch], uv[None, :], np.ones((1, 2)), np.array([mode], dtype=np.intp))
-    return local.lifted(slope[0, :2])
 
 
 def _joined(ahead: Trail, back: Trail | None) -> Curve:
     first = ahead.paths
     if back is None or not back.paths:
         closed = ahead.closed and len(first) == 1
-        paths = tuple(Path(p.patch, p.uv, p.middles, closed) for p in first)
+        paths = tuple(replace(path, closed=closed) for path in first)
         return Curve(paths, tuple(ahead.modes), ahead.closed, ahead.ended)
-    behind = [Path(p.patch, p.uv[::-1], p.middles[::-1]) for p in reversed(back.paths)]
+    behind = [path.backwards for path in reversed(back.paths)]
     modes = [*reversed(back.modes)]
     if not first:
         return Curve(tuple(behind), tuple(modes), False, back.ended)
     # Both began at one point of one patch: that is one path.
-    uv = np.concatenate([behind[-1].uv, first[0].uv[1:]])
-    one = Path(first[0].patch, uv, np.concatenate([behind[-1].middles, first[0].middles]))
     ended = ahead.ended if ahead.ended == back.ended else f"{back.ended}; {ahead.ended}"
-    return Curve((*behind[:-1], one, *first[1:]), (*modes[:-1], *ahead.modes), False, ended)
+    paths = (*behind[:-1], behind[-1].then(first[0]), *first[1:])
+    return Curve(paths, (*modes[:-1], *ahead.modes), False, ended)

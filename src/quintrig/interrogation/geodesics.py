@@ -6,6 +6,7 @@ import numpy as np
 
 from quintrig.interrogation.follow import Curve
 from quintrig.interrogation.local import Local
+from quintrig.interrogation.polyline import Path
 from quintrig.interrogation.trace import RELATIVE, Seed, Tracer
 from quintrig.support.arrays import FloatArray
 
@@ -58,7 +59,7 @@ def _fan(tracer: Tracer, start: tuple[int, FloatArray], aim: FloatArray, reach: 
     tracer.relative = RELATIVE
     tries: list[tuple[float, float, float]] = []
     for angle, trail in zip(angles, trails, strict=True):
-        points = [tracer.surfaces[path.patch](*path.uv.T) for path in trail.paths]
+        points = [path.on(tracer.surfaces[path.patch])[0] for path in trail.paths]
         if not points:
             continue
         cloud = np.concatenate(points)
@@ -89,8 +90,8 @@ def _shots(
         for (angle, s), one, other in zip(tries, trails[::2], trails[1::2], strict=True):
             if not one.paths or not other.paths:
                 continue
-            point, heading = _end(tracer, one.paths[-1].patch, one.paths[-1].uv)
-            beside, _ = _end(tracer, other.paths[-1].patch, other.paths[-1].uv)
+            point, heading = _end(tracer, one.paths[-1])
+            beside, _ = _end(tracer, other.paths[-1])
             gap = aim - point
             if np.linalg.norm(gap) <= _MET * tracer.size:
                 met.append((s, Curve(tuple(one.paths), tuple(one.modes), False, "reaches the second point")))
@@ -111,8 +112,8 @@ def _shots(
     return min(met, key=lambda one: one[0])[1] if met else None
 
 
-def _end(tracer: Tracer, patch: int, uv: FloatArray) -> tuple[FloatArray, FloatArray]:
+def _end(tracer: Tracer, path: Path) -> tuple[FloatArray, FloatArray]:
     """Return the last point of a path and the unit direction in which it arrives."""
-    points = tracer.surfaces[patch](*uv[-2:].T)
-    step = points[1] - points[0]
-    return points[1], step / np.linalg.norm(step)
+    points = path.on(tracer.surfaces[path.patch])[0]
+    step = points[-1] - points[-2]
+    return points[-1], step / np.linalg.norm(step)

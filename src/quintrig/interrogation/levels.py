@@ -20,6 +20,7 @@ CELLS = 107
 """Cells a side: a prime number, so that no node lies where symmetric surfaces have their zeros."""
 
 _ROUNDS = 60  # of regula falsi on an edge
+_SAME = 1e-13  # of an edge: a bracket so narrow is a root
 _DEEPEST = 12  # times that a chord is halved
 _SECANTS, _STILL = 30, 1e-12  # steps to the line, of which those where two levels nearly cross need many
 _FAR = 0.95  # of the chord: how far from its middle the line may be; at a right corner it is half of it
@@ -108,9 +109,11 @@ class _Marched:
             return low, np.zeros(0, dtype=np.bool_)
         reference = None if self.axis is None else self.axis[start[:, 0], start[:, 1]]
 
-        def at(t: FloatArray) -> FloatArray:
-            uv = low + t[:, None] * (high - low)
-            return signed(self.grid.scalar(uv[:, 0], uv[:, 1]), self.level, reference)
+        def at(t: FloatArray, some: NDArray[np.intp]) -> FloatArray:
+            uv = low[some] + t[:, None] * (high[some] - low[some])
+            return signed(
+                self.grid.scalar(uv[:, 0], uv[:, 1]), self.level, None if reference is None else reference[some]
+            )
 
         t, value, scale = _falsi(at, len(low))
         return low + t[:, None] * (high - low), np.abs(value) <= _FALLS * scale
@@ -140,29 +143,38 @@ class _Marched:
         return bool((middle >= 0.0) == (self.values[i, j] >= 0.0))
 
 
-def _falsi(at: Callable[[FloatArray], FloatArray], count: int) -> tuple[FloatArray, FloatArray, FloatArray]:
+def _falsi(
+    at: Callable[[FloatArray, NDArray[np.intp]], FloatArray], count: int
+) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Return roots in [0, 1] of functions of different signs at its ends, values there, and a scale of each.
 
-    Regula falsi as of Illinois (Dowell and Jarratt 1971), with a halving every third round.
+    ``at`` gives the values of those with some numbers. Regula falsi as of Illinois (Dowell and Jarratt 1971), with a
+    halving every third round; whose root is met takes no part any more.
     """
-    a, b = np.zeros(count), np.ones(count)
-    fa, fb = at(a), at(b)
+    every: NDArray[np.intp] = np.arange(count)
+    a: FloatArray = np.zeros(count)
+    b: FloatArray = np.ones(count)
+    fa, fb = at(a, every), at(b, every)
     scale = np.abs(fa) + np.abs(fb) + np.finfo(np.float64).tiny
-    t, value = np.where(np.abs(fa) < np.abs(fb), a, b), np.where(np.abs(fa) < np.abs(fb), fa, fb)
-    weight_a, weight_b = fa.copy(), fb.copy()
+    root, value = np.where(np.abs(fa) < np.abs(fb), a, b), np.where(np.abs(fa) < np.abs(fb), fa, fb)
+    rising = np.asarray(fa >= 0.0)
+    open_ = every
     for k in range(_ROUNDS):
         with np.errstate(divide="ignore", invalid="ignore"):
-            guess = (a * weight_b - b * weight_a) / (weight_b - weight_a)
-        guess = np.where((guess > a) & (guess < b) & (k % 3 != 2), guess, 0.5 * (a + b))
-        found = at(guess)
-        better = np.abs(found) <= np.abs(value)
-        t, value = np.where(better, guess, t), np.where(better, found, value)
-        like_a = (found >= 0.0) == (fa >= 0.0)
-        weight_a, weight_b = np.where(like_a, found, 0.5 * weight_a), np.where(like_a, 0.5 * weight_b, found)
+            guess = (a * fb - b * fa) / (fb - fa)
+        guess: FloatArray = np.where((guess > a) & (guess < b) & (k % 3 != 2), guess, 0.5 * (a + b))
+        found = at(guess, open_)
+        better = np.abs(found) <= np.abs(value[open_])
+        root[open_[better]], value[open_[better]] = guess[better], found[better]
+        like_a = (found >= 0.0) == rising[open_]
+        fa, fb = np.where(like_a, found, 0.5 * fa), np.where(like_a, 0.5 * fb, found)
         a, b = np.where(like_a, guess, a), np.where(like_a, b, guess)
-        if ((np.abs(value) <= 1e-15 * scale) | (b - a <= 1e-15)).all():
+        left = (np.abs(value[open_]) > 1e-15 * scale[open_]) & (b - a > _SAME)
+        open_ = open_[left]
+        a, b, fa, fb = a[left], b[left], fa[left], fb[left]
+        if not len(open_):
             break
-    return t, value, scale
+    return root, value, scale
 
 
 def _strung(beside: dict[int, list[int]]) -> list[list[int]]:
@@ -193,7 +205,9 @@ def _filled(scalar: Scalar, surface: Surface, patch: int, uv: FloatArray, level:
     middles = between(scalar, uv[:-1], uv[1:], level)
     quarters = _quarters(scalar, np.stack([uv[:-1], middles, uv[1:]], axis=1), level)
     for _ in range(_DEEPEST):
-        coarse = np.flatnonzero(strayed(surface, uv, middles, quarters)[1] > chord)
+        beside = np.concatenate([middles[:, None], quarters], axis=1)
+        off = strayed(surface(*uv.T), surface(beside[..., 0], beside[..., 1]))
+        coarse = np.flatnonzero(off > chord)
         if not len(coarse):
             break
         halves, fifth = quarters[coarse], [uv[coarse], middles[coarse], uv[coarse + 1]]
@@ -208,7 +222,7 @@ def _filled(scalar: Scalar, surface: Surface, patch: int, uv: FloatArray, level:
         middles[new], quarters[new] = halves[:, 0], finer[0]
     gap = float(np.linalg.norm(surface(*uv[0]) - surface(*uv[-1])))
     closed = len(uv) > 3 and gap <= 1e-9 * max(surface.size, 1e-300)
-    return Path(patch, uv, middles, closed, quarters)
+    return Path(patch, uv, middles, closed, quarters=quarters)
 
 
 def _quarters(scalar: Scalar, stops: FloatArray, level: float) -> FloatArray:

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,14 +22,48 @@ _HALVINGS = 40  # to find where a line leaves a face
 class Path:
     """Parameters on one patch: ``uv`` (n, 2), and ``middles`` (n - 1, 2) of the line between them.
 
-    ``quarters`` (n - 1, 2, 2), where they are known, lie before and after the middles.
+    ``known`` are the points of both, where they were looked up before. ``quarters`` (n - 1, 2, 2), where there are any,
+    lie before and after the middles.
     """
 
     patch: int
     uv: FloatArray
     middles: FloatArray
     closed: bool = False
+    known: tuple[FloatArray, FloatArray] | None = None
     quarters: FloatArray | None = None
+
+    def on(self, surface: Surface) -> tuple[FloatArray, FloatArray]:
+        """Return the points (n, 3), and those in the middles (n - 1, 3), length¹."""
+        if self.known is None:
+            object.__setattr__(self, "known", (surface(*self.uv.T), surface(*self.middles.T)))
+        return cast(tuple[FloatArray, FloatArray], self.known)
+
+    def part(self, first: int, last: int) -> "Path":
+        """Return the path from point ``first`` up to before ``last``."""
+        known = None if self.known is None else (self.known[0][first:last], self.known[1][first : last - 1])
+        whole = last - first == len(self.uv)
+        quarters = None if self.quarters is None else self.quarters[first : last - 1]
+        closed = self.closed and whole
+        return Path(self.patch, self.uv[first:last], self.middles[first : last - 1], closed, known, quarters)
+
+    @property
+    def backwards(self) -> "Path":
+        """The path from its end to its beginning."""
+        known = None if self.known is None else (self.known[0][::-1], self.known[1][::-1])
+        quarters = None if self.quarters is None else self.quarters[::-1, ::-1]
+        return Path(self.patch, self.uv[::-1], self.middles[::-1], self.closed, known, quarters)
+
+    def then(self, other: "Path") -> "Path":
+        """Return the path that goes on from its last point with another, which begins there."""
+        uv, middles = np.concatenate([self.uv, other.uv[1:]]), np.concatenate([self.middles, other.middles])
+        known = None
+        if self.known is not None and other.known is not None:
+            known = (
+                np.concatenate([self.known[0], other.known[0][1:]]),
+                np.concatenate([self.known[1], other.known[1]]),
+            )
+        return Path(self.patch, uv, middles, known=known)
 
     def cut(self, surface: Surface) -> "list[Path]":
         """Return the parts inside the trim loops; itself where there are none."""
@@ -56,7 +91,7 @@ class Path:
                     quarters = np.stack([0.5 * (uv[:-1] + middles), 0.5 * (middles + uv[1:])], axis=1)
                     quarters[whole] = self.quarters[start:i]
                 if len(uv) > 1:
-                    parts.append(Path(self.patch, uv, middles, False, quarters))
+                    parts.append(Path(self.patch, uv, middles, quarters=quarters))
             start = i + 1
         return parts
 
@@ -72,40 +107,50 @@ class Path:
         return (low if leaving else high)[None, :]
 
 
+def looked_up(surfaces: Sequence[Surface], paths: Sequence[Path]) -> None:
+    """Look the points of all paths up, those of a patch at once."""
+    for patch in {path.patch for path in paths}:
+        here = [path for path in paths if path.patch == patch]
+        uv = [part for path in here for part in (path.uv, path.middles)]
+        ends = np.cumsum([len(part) for part in uv])[:-1]
+        points = np.split(surfaces[patch](*np.concatenate(uv).T), ends)
+        for path, pair in zip(here, zip(points[::2], points[1::2], strict=True), strict=True):
+            object.__setattr__(path, "known", pair)
+
+
 def changes(kept: BoolArray) -> NDArray[np.intp]:
     """Return after which points of a line it is kept no longer, or from the next one on."""
     return np.flatnonzero(kept[1:] != kept[:-1])
 
 
-def strayed(
-    surface: Surface, uv: FloatArray, middles: FloatArray, quarters: FloatArray | None
-) -> tuple[FloatArray, FloatArray]:
-    """Return points (n, 3), and how far the line is from each chord (n - 1,), length¹.
+def strayed(points: FloatArray, between: FloatArray) -> FloatArray:
+    """Return how far a line through points (n, 3) is from each chord (n - 1,), length¹.
 
-    At the quarters a smooth line is off by 3/4 of what it is in the middle; where it is not, it may be off by more
-    between them, and the difference is added.
+    ``between`` (n - 1, m, 3) are points of it in the middle of each and, where known, at the quarters. There a smooth
+    line is off by 3/4 of what it is in the middle; where it is not, it may be off by more between them, and twice
+    the difference is added.
     """
-    points = surface(*uv.T)
-    between = middles[:, None] if quarters is None else np.concatenate([middles[:, None], quarters], axis=1)
-    chord, before = np.diff(points, axis=0)[:, None], surface(between[..., 0], between[..., 1]) - points[:-1, None]
+    chord, before = np.diff(points, axis=0)[:, None], between - points[:-1, None]
     square = np.einsum("nmk,nmk->nm", chord, chord)
     share = np.clip(np.einsum("nmk,nmk->nm", before, chord) / np.where(square > 0.0, square, 1.0), 0.0, 1.0)
     away = before - share[..., None] * chord
     rough = np.linalg.norm(away[:, 1:] - 0.75 * away[:, :1], axis=2).max(axis=1, initial=0.0)
-    return points, np.linalg.norm(away, axis=2).max(axis=1) + rough
+    return np.linalg.norm(away, axis=2).max(axis=1) + 2.0 * rough
 
 
 def measured(surface: Surface, path: Path) -> tuple[FloatArray, FloatArray, float]:
     """Return points (n, 3), arc length (n,) and chord error of a path, length¹."""
-    points, off = strayed(surface, path.uv, path.middles, path.quarters)
-    stops = [points[:-1], surface(*path.middles.T), points[1:]]
+    points, middles = path.on(surface)
+    between = middles[:, None]
+    stops = [points[:-1], middles, points[1:]]
     lengths = [_length(stops[::2]), _length(stops)]
     if path.quarters is not None:
-        first, last = (surface(*path.quarters[:, k].T) for k in (0, 1))
-        lengths.append(_length([stops[0], first, stops[1], last, stops[2]]))
+        quarters = surface(path.quarters[..., 0], path.quarters[..., 1])
+        between = np.concatenate([between, quarters], axis=1)
+        lengths.append(_length([stops[0], quarters[:, 0], stops[1], quarters[:, 1], stops[2]]))
     step = (4.0 * lengths[-1] - lengths[-2]) / 3.0  # chords of half the width are off by a quarter
     s = np.concatenate([[0.0], np.cumsum(np.maximum(step, lengths[0]))])
-    return points, s, float(off.max(initial=0.0))
+    return points, s, float(strayed(points, between).max(initial=0.0))
 
 
 def _length(stops: Sequence[FloatArray]) -> FloatArray:

@@ -1,17 +1,16 @@
 """Where a line that leaves a patch through an edge goes on: in the patch, or at the seam, whose edge lies there."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from quintrig.geometry.surface import Surface
-from quintrig.interrogation.local import Local, dot
+from quintrig.interrogation.cells import Compiled
+from quintrig.interrogation.line_jit import foot
 from quintrig.support.arrays import FloatArray
+from quintrig.support.memory import address
 
 _GAP = 1e-5  # of the size of the patches: edges this near are one
 _SAMPLES = 65
-_STEPS = 30
 _POINT = 1e-9  # of the size: an edge no longer than this is a point
 
 
@@ -29,9 +28,10 @@ class _Edge:
 class Seams:
     """The edges of all patches."""
 
-    def __init__(self, surfaces: Sequence[Surface]) -> None:
+    def __init__(self, compiled: Compiled) -> None:
         """Sample the edges that are longer than a point."""
-        self.surfaces = surfaces
+        self.compiled, self.surfaces = compiled, compiled.surfaces
+        surfaces = self.surfaces
         self.size = max((surface.size for surface in surfaces), default=0.0)
         t, same = np.linspace(0.0, 1.0, _SAMPLES), np.ones(_SAMPLES)
         self._edges: list[_Edge] = []
@@ -41,6 +41,12 @@ class Seams:
                     points = surface(end * same, t) if axis == 0 else surface(t, end * same)
                     if np.linalg.norm(np.ptp(points, axis=0)) > _POINT * self.size:
                         self._edges.append(_Edge(patch, axis, end, points))
+        self._points = np.array([edge.points for edge in self._edges]).reshape(-1, _SAMPLES, 3)
+        steps = np.linalg.norm(np.diff(self._points, axis=1), axis=2)
+        self._reach = steps.max(axis=1, initial=0.0) + _GAP * self.size
+        self._low, self._high = (
+            end(self._points, axis=1) + sign * self._reach[:, None] for end, sign in ((np.min, -1.0), (np.max, 1.0))
+        )
 
     def enter(self, patch: int, uv: FloatArray, towards: FloatArray) -> tuple[int, FloatArray] | None:
         """Return patch and parameters (2,) where a line goes on that reaches the edge of a patch; None at a free edge.
@@ -49,35 +55,24 @@ class Seams:
         """
         point = self.surfaces[patch](*uv)
         best: tuple[float, int, FloatArray] | None = None
-        for edge in self._edges:
+        for number in np.flatnonzero(((point >= self._low) & (point <= self._high)).all(axis=1)).tolist():
+            edge = self._edges[number]
             if edge.patch == patch and uv[edge.axis] == edge.end:
                 continue
-            apart = np.linalg.norm(edge.points - point, axis=1)
+            apart = np.linalg.norm(self._points[number] - point, axis=1)
             nearest = int(apart.argmin())
-            step = np.linalg.norm(np.diff(edge.points, axis=0), axis=1).max()
-            if apart[nearest] > step + _GAP * self.size:
+            if apart[nearest] > self._reach[number]:
                 continue
-            place, gap = self._foot(edge, point, nearest / (_SAMPLES - 1.0))
-            inwards = self._inwards(edge, place, towards)
+            place, gap, inwards = self._foot(edge, point, towards, nearest / (_SAMPLES - 1.0))
             if gap <= _GAP * self.size and inwards and (best is None or gap < best[0]):
                 best = gap, edge.patch, place
         return None if best is None else (best[1], best[2])
 
-    def _foot(self, edge: _Edge, point: FloatArray, t: float) -> tuple[FloatArray, float]:
-        surface = self.surfaces[edge.patch]
-        for _ in range(_STEPS):
-            p = surface.partials(*edge.at(t), order=1)
-            along = p[0, 1] if edge.axis == 0 else p[1, 0]
-            square = float(along @ along)
-            moved = min(max(t + float((point - p[0, 0]) @ along) / square, 0.0), 1.0) if square > 0.0 else t
-            if abs(moved - t) <= 1e-15:
-                break
-            t = moved
-        return edge.at(t), float(np.linalg.norm(surface(*edge.at(t)) - point))
-
-    def _inwards(self, edge: _Edge, uv: FloatArray, towards: FloatArray) -> bool:
-        local = Local.at(self.surfaces[edge.patch], *uv, order=1)
-        step = local.lowered(towards)
+    def _foot(self, edge: _Edge, point: FloatArray, towards: FloatArray, t: float) -> tuple[FloatArray, float, bool]:
+        """Return the foot (2,) of a point on an edge, how far off it is, and whether a line goes on inwards."""
+        asked = np.concatenate([edge.at(t), point - self.surfaces[edge.patch].origin, towards, np.zeros(4)])
+        foot(self.compiled.address(edge.patch), edge.axis, address(asked), address(self.compiled.scratch))
+        gap, onwards = float(asked[8]), float(asked[9])
+        step = float(asked[10 + edge.axis])
         # A line that turns back over the edge does not go on.
-        onwards = dot(local.lifted(step), towards) > 0.0
-        return bool(onwards and (step[edge.axis] > 0.0 if edge.end == 0.0 else step[edge.axis] < 0.0))
+        return asked[:2], gap, onwards > 0.0 and (step > 0.0 if edge.end == 0.0 else step < 0.0)

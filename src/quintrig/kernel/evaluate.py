@@ -67,7 +67,7 @@ def on_grid(surface: Surface, u: FloatArray, v: FloatArray, planes: Planes, thre
     if _is_wide(surface):
         _wide_grid(surface, u, v, planes, threads, at)
         return
-    along, across = _still(surface)
+    along, across = standing(surface)
     rows = _flat(row_derivatives(surface, u, along))
     blend = _flat(increment_blocks(surface.blend, v, still=across))
     drive, outputs = driver(surface.blend.terms, GRID), _outputs(planes, at)
@@ -133,7 +133,7 @@ def row_derivatives(surface: Surface, u: FloatArray, still: Still = MOVING) -> F
     return (factors.reshape(-1, len(net))[: 3 * u.size] @ net).reshape(u.size, 3, -1, 3)
 
 
-def _still(surface: Surface) -> tuple[Still, Still]:
+def standing(surface: Surface) -> tuple[Still, Still]:
     """Return at which ends all of the surface stands still, in u and in v."""
     if not isinstance(surface.rows, Net):
         return MOVING, MOVING
@@ -158,7 +158,7 @@ def _inputs(surface: Surface, most: int) -> tuple[tuple[int, int], Callable[[Flo
         # In whole blocks, since NumPy sums a single point in another order.
         return _HANDED, lambda u, v: _handed_through(surface.partials(pad(u), pad(v), 2).reshape(3, 3, -1, 3))
     across = _room(blend, most)
-    still = _still(surface)
+    still = standing(surface)
     if isinstance(rows, Net) and rows.functions.size <= _WIDEST:
         net, functions, along = _net(surface, rows).reshape(-1), rows.functions, _room(rows.functions, most)
         return (blend.terms, functions.terms), lambda u, v: (

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -13,6 +14,8 @@ from quintrig.analysis.table import Table, tabulate
 from quintrig.figure import Mark
 from quintrig.geometry.domain import face_grid, on_face
 from quintrig.geometry.surface import Surface
+from quintrig.interrogation.umbilic import Umbilics
+from quintrig.interrogation.umbilics import umbilics
 from quintrig.model.patch import Patch
 from quintrig.quantities.classify import Thresholds
 from quintrig.quantities.table import BY_KEY
@@ -63,6 +66,11 @@ class Facts:
     variants: tuple[Variant, ...]
     middle: tuple[float, float, float]
     steep: bool
+
+    @cached_property
+    def umbilics(self) -> Umbilics:
+        """The umbilics, which a picture and the words beside it tell."""
+        return umbilics(self.patch)
 
 
 def marks_of(surface: Surface) -> tuple[Mark, ...]:

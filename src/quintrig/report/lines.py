@@ -9,21 +9,18 @@ from quintrig.figure.read_lines import traces_of
 from quintrig.figure.style import STANDARD, Style
 from quintrig.interrogation.find import lines
 from quintrig.interrogation.umbilic import Umbilic
-from quintrig.interrogation.umbilics import umbilics
-from quintrig.model.patch import Patch
 from quintrig.report.facts import Facts
 
 _SPACING = 1.0 / 7.0  # of the size
 _TOLD = 6  # umbilics by name
 
 
-def lines_picture(patch: Patch, unit: str, width: float, style: Style = STANDARD) -> Figure:
+def lines_picture(facts: Facts, width: float, style: Style = STANDARD) -> Figure:
     """Return the surface with a net of lines of curvature and its umbilics."""
-    surface = patch.surface
+    surface = facts.patch.surface
     traces = traces_of(surface, lines(surface, "curvature", spacing=_SPACING * surface.size)) if surface.size else ()
-    found = umbilics(patch).umbilics
-    marks = tuple(Mark(one.u, one.v, f"{one.type} {k + 1}") for k, one in enumerate(found[:_TOLD]))
-    return space_picture(surface, None, Scene(traces=traces, marks=marks), unit=unit, width=width, style=style)
+    marks = tuple(Mark(one.u, one.v, f"{one.type} {k + 1}") for k, one in enumerate(facts.umbilics.umbilics[:_TOLD]))
+    return space_picture(surface, None, Scene(traces=traces, marks=marks), unit=facts.unit, width=width, style=style)
 
 
 def _of_index(one: Umbilic) -> str:
@@ -32,7 +29,7 @@ def _of_index(one: Umbilic) -> str:
 
 def umbilic_words(facts: Facts) -> str:
     """Say how many umbilics there are, of which types, and whether their indices sum as they must."""
-    found = umbilics(facts.patch)
+    found = facts.umbilics
     unit = f" 1/{facts.unit}" if facts.unit else ""
     if any(region.kind == "region" for region in found.regions):
         return "Here every point is an umbilic: no direction is principal, and there are no such lines."

@@ -197,7 +197,7 @@ def _projections(facts: Facts) -> Picture:
 
 def _lines(facts: Facts) -> Picture:
     alt = "The surface with a net of lines of curvature and its umbilics."
-    return Picture("lines", alt, partial(lines_picture, facts.patch, facts.unit, _SPACE))
+    return Picture("lines", alt, partial(lines_picture, facts, _SPACE))
 
 
 def invariants_shown(facts: Facts) -> tuple[str, ...]:

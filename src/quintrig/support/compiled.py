@@ -29,6 +29,12 @@ Function = TypeVar("Function", bound=Callable[..., Any])
 SOURCES = (
     "basis/tape_jit",
     "basis/trigonometric_jit",
+    "interrogation/dop853",
+    "interrogation/field_jit",
+    "interrogation/follow_jit",
+    "interrogation/line_jit",
+    "interrogation/near_jit",
+    "interrogation/step_jit",
     "kernel/blocks",
     "quantities/classify",
     "support/compiled",
