@@ -16,7 +16,7 @@ from quintrig.support.arrays import BoolArray, FloatArray
 
 NAMES = {1: "trough", 2: "crest"}
 
-_HALVINGS = 12  # of a chord, to find where a ridge ends
+_HALVINGS = 20  # of a chord, to find where a ridge ends
 _STEP = 1e-4  # of the domain: at which the change along a line is told
 _NOISE = 1e-9  # of C²: a change of curvature that is rounding
 
