@@ -21,6 +21,14 @@ TABLES = {
     "weight,z,y,x\n1,3,2,1\n2,6,5,4\n": [[1, 2, 3], [4, 5, 6]],
     "\ufeff1,2,3\r\n4,5,nan\r\n": [[1, 2, 3]],
     "1,2\n4,5\n": [[1, 2], [4, 5]],
+    "scan 7\nX [mm];Y [mm];Z [mm]\n1,5;2;3\n1.004,25;5;6\n": [[1.5, 2, 3], [1004.25, 5, 6]],
+    "1,5 2 3\n4\t5,25 6\n": [[1.5, 2, 3], [4, 5.25, 6]],
+    "Temp,Points:0,Points:1,Points:2\n9,1,2,3\n9,4,5,6\n": [[1, 2, 3], [4, 5, 6]],
+    "# R G B X Y Z\n9 9 9 1 2 3\n9 9 9 4 5 6\n": [[1, 2, 3], [4, 5, 6]],
+    "P1|1|2|3\nP2|4|5|6\n": [[1, 2, 3], [4, 5, 6]],
+    '"x","y","z",\n"1","2","3",\n#N/A,nan,,\n"4","5","6",\n': [[1, 2, 3], [4, 5, 6]],
+    "1.D0 2.D0 3.D0 ! remark\r4.D0 5.D0 6.D0\r": [[1, 2, 3], [4, 5, 6]],
+    "7 1 2 3\n8 4 5 6\n9 7 8 9\n10 0 0 1": [[1, 2, 3], [4, 5, 6], [7, 8, 9], [0, 0, 1]],
 }
 
 
@@ -31,7 +39,9 @@ def test_tables_of_points(text, suffix, tmp_path):
     file.write_text(text, encoding="utf-8", newline="")
     found = quintrig.read_scan(file)
     assert found.points.tolist() == TABLES[text]
-    assert bool(found.notes) == ("nan" in text)
+    assert bool(found.notes) == ("nan" in text or text.startswith("7 1"))
+    file.write_bytes(text.strip("\ufeff").encode("utf-16"))
+    assert quintrig.read_scan(file).points.tolist() == TABLES[text]
 
 
 def test_normals_weights_and_units_are_read(tmp_path):
@@ -42,6 +52,12 @@ def test_normals_weights_and_units_are_read(tmp_path):
     assert found.normals.tolist() == [[0, 0, 1], [0, 1, 0]]
     assert found.in_unit("mm").points[0].tolist() == [10, 20, 30]
     assert quintrig.read_scan(file, "m").unit == "m"
+    file.write_text("x (in),y (in),z (in),r,g,b,Normal:0,Normal:1,Normal:2\n1,2,3,9,9,9,0,0,2\n")
+    found = quintrig.read_scan(file)
+    assert (found.unit, found.normals.tolist()) == ("in", [[0, 0, 1]])
+    file.write_text("# Units: Inches\n1 2 3 250 9 9 0 0 1\n4 5 6 250 9 9 0 1 0\n")
+    found = quintrig.read_scan(file)
+    assert (found.unit, found.normals.tolist()) == ("in", [[0, 0, 1], [0, 1, 0]])
 
 
 @pytest.mark.parametrize("suffix", [".ply", ".stl", ".obj"])
@@ -63,6 +79,9 @@ def test_meshes_come_back(suffix, tmp_path):
         ("a.csv", b"1,2,3\n4,5\n", "row 2: expected 3 numbers"),
         ("a.csv", b"x,y,z\n1,2,3\n4,five,6\n", "row 3: expected a number, got 'five'"),
         ("a.csv", b"1,2,3,4,5\n", "found 5"),
+        ("a.csv", b"depth,temp,p,q\n1,2,3,4\n", "expected columns with the names x, y and z, found depth, temp, p, q"),
+        ("a.csv", b"x (mm),y (mm),z (in)\n1,2,3\n", "expected one unit for x, y and z"),
+        ("a.csv", b'"7","8","9"\n"1,234","5","6"\n', "expected a number, got '1,234'"),
         ("a.csv", b"nan,nan,nan\n", "at least one finite point"),
         ("a.csv", bytes(range(200)), "a.csv: "),
         ("a.ply", b"ply\nformat ascii 1.0\nelement", "a damaged file"),
