@@ -136,6 +136,29 @@ def test_errors_hold_what_they_promise(noise):
     assert np.abs(np.einsum("ij,ij->i", d1, n)[known]).max() < 1e-9
 
 
+def test_large_scans_are_taken_in_blocks_and_at_some_of_their_points(monkeypatch):
+    points, _, _ = torus(1200)
+    asked = {"degree": 2, "neighbours": 20}
+    whole = quintrig.scan_curvature(points, **asked)
+    monkeypatch.setattr("quintrig.scan.curvature._BLOCK", 500)
+    told = []
+    blocks = quintrig.scan_curvature(points, **asked, progress=lambda *word: told.append(word[1:]))
+    assert told == [(500, 1200), (1000, 1200), (1200, 1200)]
+    at = np.linspace(0, len(points) - 1, 400).astype(int)
+    some = [quintrig.scan_curvature(one, **asked, most=400) for one in (points, whole.scan)]
+    assert some[0].scan.points.tolist() == points[at].tolist()
+    for found, where in ((blocks, slice(None)), (some[0], at), (some[1], at)):
+        np.testing.assert_allclose(found["mean"], whole["mean"][where], atol=1e-12)
+        np.testing.assert_allclose(found["normal"], whole["normal"][where], atol=1e-12)
+
+
+def test_points_on_a_line_have_no_curvature(tmp_path):
+    with pytest.raises(ValueError, match="found all on a line"):
+        quintrig.scan_curvature(np.arange(60.0).reshape(20, 3))
+    (tmp_path / "p.xyz").write_text("1 2 3\n" * 20)
+    assert "p.xyz: expected points apart from each other" in RUN("table", tmp_path / "p.xyz").err
+
+
 def test_signs_sides_and_borders():
     t = np.linspace(-1, 1, 41)
     x, y = (a.ravel() for a in np.meshgrid(t, t))
