@@ -40,8 +40,6 @@ _FIRST, _MAIN, _LAST = 1200, 6000, 200_000
 
 _PROFILE = 3000  # points by which it is tried how far a shape parameter may go
 
-_ENERGY = 1e-9  # of the size: a spread below this is a line or a point
-
 
 @watched
 def fit(
