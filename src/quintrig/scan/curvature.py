@@ -91,7 +91,9 @@ def scan_curvature(
     and for too few neighbours for the degree.
     """
     found = target_of(scan)
-    if found.points.shape[1] != 3 or len(found.points) < 10:
+    if found.points.shape[1] != 3:
+        raise ValueError("points: expected points in space for curvature, three numbers each, found two")
+    if len(found.points) < 10:
         raise ValueError(f"points: expected at least 10 in space for curvature, found {len(found.points)}")
     refuse_no_surface(found.points)
     if degree is not None and not 2 <= degree <= _HIGHEST:
