@@ -123,7 +123,8 @@ def test_curvature_converges_at_the_order_of_theory(degree, neighbours):
 @pytest.mark.parametrize("noise", [0.0, 1e-3])
 def test_errors_hold_what_they_promise(noise):
     points, gaussian, mean = torus(6000)
-    found = quintrig.scan_curvature(points + noise * np.random.default_rng(1).normal(size=points.shape))
+    scatter = np.random.default_rng(1).normal(size=points.shape)
+    found = quintrig.scan_curvature(points + noise * scatter)
     assert (np.abs(found["gaussian"] - gaussian) <= found.errors["gaussian"]).mean() > 0.9
     assert (np.abs(found["mean"] - mean) <= found.errors["mean"]).mean() > 0.9
     assert np.median(found.errors["mean"]) < 0.1  # and are no excuse
@@ -134,6 +135,19 @@ def test_errors_hold_what_they_promise(noise):
     d1, n = found["direction1"], found["normal"]
     known = np.isfinite(d1).all(axis=1)
     assert np.abs(np.einsum("ij,ij->i", d1, n)[known]).max() < 1e-9
+
+
+def test_noise_does_not_hide_what_the_degree_misses():
+    """A band of a sphere with few points: the error is that of the polynomials, beside a little noise."""
+    rng = np.random.default_rng(5)
+    around, z = rng.uniform(0, 2 * np.pi, 900), rng.uniform(-0.95, 0.95, 900)
+    ball = np.stack([np.sqrt(1 - z * z) * np.cos(around), np.sqrt(1 - z * z) * np.sin(around), z], axis=1)
+    for noise in (2e-5, 2e-3):
+        found = quintrig.scan_curvature(ball + noise * rng.normal(size=ball.shape))
+        inner = ~found.border
+        assert (np.abs(found["gaussian"] - 1) <= found.errors["gaussian"])[inner].mean() > 0.93
+        assert (np.abs(z[found.border]) > 0.7).all()
+        assert found.border[np.abs(z) > 0.93].mean() > 0.5  # also among many neighbours, which reach over the hole
 
 
 def test_large_scans_are_taken_in_blocks_and_at_some_of_their_points(monkeypatch):

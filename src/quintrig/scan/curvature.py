@@ -112,7 +112,7 @@ def scan_curvature(
     turn, words = sides(found, raw.frames[:, 2], near, at)
     border = raw.gap > _WIDE if on is None else on[at] | (raw.gap > np.pi)
     shown = found if len(at) == count else found.within(at)
-    return _told(shown, raw, turn, words, border, degree, neighbours)
+    return _told(shown, raw, near, turn, words, border, degree, neighbours)
 
 
 def _in_blocks(
@@ -227,12 +227,24 @@ def _chosen(scan: Scan, tree: Any, degree: int | None, neighbours: int | None) -
     return best
 
 
-def _forms(raw: _Raw) -> tuple[FloatArray, FloatArray, FloatArray]:
+def _around(gap: FloatArray, near: NDArray[np.int64], border: BoolArray) -> FloatArray:
+    """Return the root mean square of gaps (n,) over neighbours: at one point alone noise may hide what is missed."""
+    with np.errstate(over="ignore"):
+        square = gap**2
+    finite = np.isfinite(square[near])
+    mean = np.where(finite, square[near], 0.0).sum(axis=1) / np.maximum(finite.sum(axis=1), 1)
+    return np.sqrt(np.where(border, np.maximum(mean, square), np.where(np.isfinite(gap), mean, np.nan)))
+
+
+def _forms(
+    raw: _Raw, around: tuple[NDArray[np.int64], BoolArray] | None = None
+) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Return the second form (n, 3) in an orthonormal frame of the tangent plane, that of the check, and its error."""
     one, other = _form(raw.values), _form(raw.check)
     spread = np.sqrt(np.maximum(raw.covariance[:, 2, 2] + 2.0 * raw.covariance[:, 3, 3] + raw.covariance[:, 4, 4], 0.0))
     gap = other - one
     jump = np.sqrt(gap[:, 0] ** 2 + 2.0 * gap[:, 1] ** 2 + gap[:, 2] ** 2)
+    jump = jump if around is None else _around(jump, *around)
     return one, other, np.hypot(_SURE * raw.residual * spread, _CAREFUL * jump)
 
 
@@ -256,9 +268,16 @@ def _quantities(form: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
 
 
 def _told(
-    scan: Scan, raw: _Raw, turn: FloatArray, words: str, border: BoolArray, degree: int, neighbours: int
+    scan: Scan,
+    raw: _Raw,
+    near: NDArray[np.int64],
+    turn: FloatArray,
+    words: str,
+    border: BoolArray,
+    degree: int,
+    neighbours: int,
 ) -> ScanCurvature:
-    form, other, off = _forms(raw)
+    form, other, off = _forms(raw, (near, border))
     form, other = form * turn[:, None], other * turn[:, None]
     gaussian, mean, radius = _quantities(form)
     k_check, h_check, r_check = _quantities(other)
@@ -275,10 +294,11 @@ def _told(
         trace = np.sqrt(np.maximum(second[:, 0, 0] + 2.0 * second[:, 1, 1] + second[:, 2, 2], 0.0))
         # Two factors that are both off: what the first order leaves out.
         errors = {
-            "gaussian": np.hypot(_SURE * k_std, _CAREFUL * (k_check - gaussian)) + (_SURE * trace) ** 2,
-            "mean": np.hypot(_SURE * h_std, _CAREFUL * (h_check - mean)),
-            "k1": np.hypot(_SURE * trace, _CAREFUL * (h_check + r_check - k1)),
-            "k2": np.hypot(_SURE * trace, _CAREFUL * (h_check - r_check - k2)),
+            "gaussian": np.hypot(_SURE * k_std, _CAREFUL * _around(k_check - gaussian, near, border))
+            + (_SURE * trace) ** 2,
+            "mean": np.hypot(_SURE * h_std, _CAREFUL * _around(h_check - mean, near, border)),
+            "k1": np.hypot(_SURE * trace, _CAREFUL * _around(h_check + r_check - k1, near, border)),
+            "k2": np.hypot(_SURE * trace, _CAREFUL * _around(h_check - r_check - k2, near, border)),
             "shape_index": np.minimum(2.0, 2.0 / np.pi * off / curved),
             "curvedness": off,
         }
