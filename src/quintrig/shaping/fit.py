@@ -12,7 +12,7 @@ from quintrig.geometry.curve import Curve
 from quintrig.model.model import Model
 from quintrig.scan.deviation import Deviation, Target, deviation, target_of
 from quintrig.scan.nearest import Finder
-from quintrig.scan.scan import Scan
+from quintrig.scan.scan import Scan, refuse_no_surface
 from quintrig.shaping.fitting import curves, solve
 from quintrig.shaping.fitting.corners import corners_of, halfway, on_sides, ways_between
 from quintrig.shaping.fitting.forms import KINDS, Form, form_of
@@ -46,8 +46,6 @@ _DRAWN = 0.01  # weight of a border point's distance from the edge, beside that 
 _ON_CURVE = 200  # points of a given edge
 
 _PROFILE = 3000  # points by which it is tried how far a shape parameter may go
-
-_ENERGY = 1e-9  # of the size: a spread below this is a line or a point
 
 
 @watched
@@ -352,8 +350,4 @@ def _refuse_line(points: FloatArray) -> None:
     """Raise ValueError for points that no surface can be laid through: too few, all in one place, or on a line."""
     if len(points) < 4:
         raise ValueError(f"points: expected at least 4 for a surface, found {len(points)}")
-    spread = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
-    if not spread[0] > 1e-12 * float(np.abs(points).max()):
-        raise ValueError("points: expected points apart from each other, found all in one place")
-    if not spread[1] > _ENERGY * spread[0]:
-        raise ValueError("points: expected points of a surface, found all on a line; take kind curve")
+    refuse_no_surface(points)
