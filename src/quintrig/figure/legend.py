@@ -10,11 +10,12 @@ from matplotlib.ticker import MaxNLocator
 
 from quintrig.figure.field import Field
 from quintrig.figure.palette import CLASS_COLOURS, INK, UNDEFINED, Limits, colour_map
-from quintrig.figure.sheet import Area, Axes, drawable
+from quintrig.figure.sheet import Area, Axes, KeyPlace, drawable
 from quintrig.figure.wording import exponent, number_text, quantity_label, tick_texts
 from quintrig.quantities.table import Quantity
 
 _SIZE = 7.5
+_LEAST = 2.2  # inches of a picture, below which its key stands, where too few would be left beside it
 _SHAPES = {-1.0: "cup", -0.5: "rut", 0.0: "saddle", 0.5: "ridge", 1.0: "cap"}
 
 
@@ -70,6 +71,14 @@ def draw_class_list(area: Area, title: str, names: Sequence[str], colours: Seque
 def key_width(fields: Sequence[Field]) -> float:
     """Return the width in inches that an upright key needs; 0 for no key."""
     return 0.0 if not fields else 1.45 if fields[0].quantity.kind == "class" else 0.95
+
+
+def key_room(fields: Sequence[Field], width: float) -> tuple[KeyPlace, float]:
+    """Return where the key of one picture stands on a page of this width in inches, and its size there."""
+    if not fields:
+        return "none", 0.0
+    beside = key_width(fields)
+    return ("right", beside) if width - beside - 0.2 >= _LEAST else ("below", key_height([fields], width - 0.2))
 
 
 def key_height(every: Sequence[Sequence[Field]], width: float) -> float:
