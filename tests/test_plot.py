@@ -1,6 +1,7 @@
 """``quintrig.plot`` and the style of pictures: what is asked for is drawn, and PDFs carry fonts that may be printed."""
 
 import re
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -110,8 +111,21 @@ def test_in_a_column_the_key_stands_below_so_that_the_picture_has_the_width(boot
     for width, below in (("column", True), ("page", False)):
         first, *_, last = quintrig.plot(boot, "hk_type", width=width, **options).axes
         picture, key = (axes.get_position(original=True) for axes in (first, last))
-        assert (key.y1 <= picture.y0) == below
-        assert (key.x0 >= picture.x1) != below
+        assert (key.y1 < picture.y0 + 1e-6) == below
+        assert (key.x0 > picture.x1 - 1e-6) != below
+
+
+def test_names_of_keys_stay_apart_and_ticks_of_a_stretched_shape_index_on_its_bar(boot):
+    style = quintrig.Style(width="page", percentiles=(2, 98))
+    figure = quintrig.plot(boot, ["K", "kappa1", "S"], style=style)
+    renderer = figure.canvas.get_renderer()
+    bars = [axes for axes in figure.axes if axes.get_xlabel()]
+    spans = sorted((box.x0, box.x1) for box in (axes.xaxis.label.get_window_extent(renderer) for axes in bars))
+    assert len(spans) == 3
+    assert all(first[1] < second[0] for first, second in pairwise(spans))
+    low, high = bars[-1].get_xlim()
+    assert (low, high) != (-1.0, 1.0)
+    assert all(low <= tick <= high for tick in bars[-1].get_xticks())
 
 
 def test_curves_take_symbols_and_name_what_is_near():

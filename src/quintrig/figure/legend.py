@@ -1,5 +1,6 @@
 """Keys: the colour bar of a real quantity and the list of a classification."""
 
+import re
 from collections.abc import Sequence
 from typing import Any
 
@@ -11,11 +12,12 @@ from matplotlib.ticker import MaxNLocator
 from quintrig.figure.field import Field
 from quintrig.figure.palette import CLASS_COLOURS, INK, UNDEFINED, Limits, colour_map
 from quintrig.figure.sheet import Area, Axes, KeyPlace, drawable
-from quintrig.figure.wording import exponent, number_text, quantity_label, tick_texts
+from quintrig.figure.wording import exponent, number_text, quantity_label, tick_texts, with_unit
 from quintrig.quantities.table import Quantity
 
 _SIZE = 7.5
 _LEAST = 2.2  # inches of a picture, below which its key stands, where too few would be left beside it
+_MARKUP = re.compile(r"[${}^_\\]")
 _SHAPES = {-1.0: "cup", -0.5: "rut", 0.0: "saddle", 0.5: "ridge", 1.0: "cap"}
 
 
@@ -140,15 +142,18 @@ def _level_bar(area: Area, q: Quantity, stretch: Limits, unit: str) -> None:
     left = 0.5 * (area.width - width)
     axes = area.inside(left, area.height - 0.17, width, 0.11)
     power = _bar(axes, q, stretch, "horizontal")
-    label = quantity_label(q, unit, power)
-    if stretch.clipped_share > 0.0:
-        label += f"; {beyond(stretch)}"
+    rest = f"; {beyond(stretch)}" if stretch.clipped_share > 0.0 else ""
+    label = quantity_label(q, unit, power) + rest
+    # A name that would run into the next key gives way: the panel's title or the caption has it.
+    if 0.5 * (_SIZE + 0.5) * len(_MARKUP.sub("", label)) > 72.0 * (area.width + 0.2):
+        label = with_unit(f"${q.latex}$", q.unit(unit), power) + rest
     axes.set_xlabel(label, fontsize=_SIZE + 0.5, color=INK, labelpad=2.5)
 
 
 def beyond(stretch: Limits) -> str:
     """Return the clipped share in words, such as ``1.3 % beyond``."""
-    return f"{100.0 * stretch.clipped_share:.2g} % beyond"
+    share = 100.0 * stretch.clipped_share
+    return f"{share:.0f} % beyond" if share >= 9.95 else f"{share:.2g} % beyond"
 
 
 def _bar(axes: Any, q: Quantity, stretch: Limits, orientation: str) -> int:
@@ -164,15 +169,16 @@ def _bar(axes: Any, q: Quantity, stretch: Limits, orientation: str) -> int:
     bar.outline.set_linewidth(0.5)
     bar.outline.set_edgecolor("#8a8a8a")
     power = exponent(max(abs(stretch.low), abs(stretch.high)))
-    if q.key == "shape_index":
-        ticks, texts = list(_SHAPES), [f"{number_text(s)}  {name}" for s, name in _SHAPES.items()]
-        if orientation == "horizontal":
-            texts = [text.replace("  ", "\n") for text in texts]
-    else:
-        values = MaxNLocator(nbins=5, steps=[1, 2, 2.5, 5, 10]).tick_values(stretch.low, stretch.high)
-        slack = 1e-9 * (stretch.high - stretch.low)
-        ticks = [float(t) for t in values if stretch.low - slack <= t <= stretch.high + slack]
-        texts = tick_texts(ticks, power)
+    named = q.key == "shape_index"
+    values = (
+        [*_SHAPES] if named else MaxNLocator(nbins=5, steps=[1, 2, 2.5, 5, 10]).tick_values(stretch.low, stretch.high)
+    )
+    slack = 1e-9 * (stretch.high - stretch.low)
+    ticks = [float(t) for t in values if stretch.low - slack <= t <= stretch.high + slack]
+    texts = tick_texts(ticks, power)
+    if named:
+        joint = "\n" if orientation == "horizontal" else "  "
+        texts = [f"{number_text(s)}{joint}{_SHAPES[s]}" for s in ticks]
     bar.set_ticks(ticks, labels=texts)
     bar.ax.tick_params(labelsize=_SIZE, labelcolor=INK, length=2.5, width=0.5, color="#8a8a8a", pad=2.0)
     bar.ax.minorticks_off()
