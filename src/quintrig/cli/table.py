@@ -131,6 +131,8 @@ def _deliver(
     result: "Table", chosen: str, output: Path | None, digits: int, siunitx: bool, *sources: Path | None
 ) -> None:
     """Print a table, or write it in the format chosen."""
+    if siunitx and chosen != "latex":
+        raise ValueError(f"--siunitx: belongs to LaTeX, and this is {chosen}; add -o FILE.tex or --format latex")
     if chosen == "text":
         print_table(result)
         return
