@@ -63,7 +63,8 @@ class Prover:
         """Return what comes of a claim; with ``bounds`` also what encloses the quantity's values. ValueError."""
         claim = read(text, self.unit) if isinstance(text, str) else text
         if isinstance(self.surface.rows, Envelope):
-            return replace(strips.prove(self.surface, claim, self.most), unit=self.named_unit(claim.measure))
+            verdict = strips.prove(self.surface, claim, self.most)
+            return replace(self._with_bounds(verdict, claim, bounds), unit=self.named_unit(claim.measure))
         ways: dict[str, Callable[[Claim], Verdict]] = {
             "regular": self._regular,
             "no fold": self._regular,
@@ -120,13 +121,17 @@ class Prover:
         verdict = Verdict("proved", claim.text, 0)
         if not claim.sought:
             verdict = self._settled(claim, *asked(claim, measure), claim.range)
-        if bounds or claim.sought:
-            found = self.bounds(measure.key, direction=claim.direction, most=min(self.most, _FOR_BOUNDS))
-            boxes = verdict.boxes + (found.boxes if claim.sought else 0)
-            verdict = replace(verdict, bounds=(found.minimum[0], found.maximum[1]), boxes=boxes)
-            if not found.complete:
-                verdict = replace(verdict, notes=(*verdict.notes, "the bounds hold, but are not tight to 1e-3"))
+        verdict = self._with_bounds(verdict, claim, bounds)
         return replace(verdict, notes=(*verdict.notes, *self._edge_notes()))
+
+    def _with_bounds(self, verdict: Verdict, claim: Claim, bounds: bool) -> Verdict:
+        """Return a verdict with what encloses the quantity's values, where that is asked for."""
+        if claim.measure is None or verdict.bounds or not (bounds or claim.sought):
+            return verdict
+        found = self.bounds(claim.measure.key, direction=claim.direction, most=min(self.most, _FOR_BOUNDS))
+        boxes = verdict.boxes + (found.boxes if claim.sought else 0)
+        notes = verdict.notes if found.complete else (*verdict.notes, "the bounds hold, but are not tight to 1e-3")
+        return replace(verdict, bounds=(found.minimum[0], found.maximum[1]), boxes=boxes, notes=notes)
 
     def _settled(self, claim: Claim, problem: Callable[..., Problem], sign_only: bool, wanted: Range) -> Verdict:
         """Return what comes of a quantity being in a range on every chart."""
