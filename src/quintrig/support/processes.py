@@ -1,5 +1,6 @@
 """Work that is spread over processes, such as pictures, which one process draws one at a time."""
 
+import gc
 import os
 import sys
 import threading
@@ -18,7 +19,9 @@ def pool(processes: int | None = 1) -> Executor:
     # A copy of this process has imported and compiled already what a new one would have to. But it would have the locks
     # of other threads too, and not the threads that hold them; and libraries of macOS do not bear it.
     copied = sys.platform == "linux" and threading.active_count() == 1
-    workers = ProcessPoolExecutor(count, mp_context=get_context("fork" if copied else "spawn"))
-    if copied:
-        workers.submit(os.getpid)  # copies are made now, before whoever asked begins threads
+    if not copied:
+        return ProcessPoolExecutor(count, mp_context=get_context("spawn"))
+    # What is there already is not looked through for cycles, by which its pages would be copied.
+    workers = ProcessPoolExecutor(count, mp_context=get_context("fork"), initializer=gc.freeze)
+    workers.submit(os.getpid)  # copies are made now, before whoever asked begins threads
     return workers
