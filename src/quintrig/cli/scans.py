@@ -87,9 +87,10 @@ def draw(
 ) -> None:
     """Draw a scan in the colours of quantities."""
     from quintrig.figure.camera import read_view
-    from quintrig.figure.plot import plot, read_quantities
+    from quintrig.figure.plot import plot
     from quintrig.figure.save import DPI, kind_of, save
     from quintrig.figure.style import STANDARD
+    from quintrig.quantities.drawn import read_quantities
     from quintrig.support.files import refuse_unwritable
 
     kind_of(output)

@@ -15,7 +15,7 @@ from PIL import Image
 from quintrig.basis.pairs import key_of, symbol
 from quintrig.figure.camera import ViewName
 from quintrig.figure.field import common_limits, facet_fields
-from quintrig.figure.plot import CURVE_PICTURES, curve_picture, plot, read_quantities
+from quintrig.figure.plot import CURVE_PICTURES, curve_picture, plot
 from quintrig.figure.save import to_png_bytes
 from quintrig.figure.scene import Scene, bounds
 from quintrig.figure.space_curves import curve_traces
@@ -23,6 +23,7 @@ from quintrig.figure.style import Style, changed, style_named
 from quintrig.geometry.surface import Surface
 from quintrig.model.model import Model
 from quintrig.model.patch import NamedCurve, Patch
+from quintrig.quantities.drawn import read_quantities
 from quintrig.support.errors import ArgumentError, QuintrigError, nearest
 from quintrig.support.files import refuse_unwritable, write_whole
 from quintrig.support.processes import pool

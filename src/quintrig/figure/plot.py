@@ -33,6 +33,7 @@ from quintrig.geometry.surface import Surface
 from quintrig.interrogation.line import Line, Lines
 from quintrig.model.model import Model
 from quintrig.model.patch import NamedCurve, Patch
+from quintrig.quantities.drawn import read_quantities
 from quintrig.quantities.table import quantity as row
 from quintrig.scan.curvature import ScanCurvature, scan_curvature
 from quintrig.scan.deviation import Deviation
@@ -207,17 +208,6 @@ def _refuse_pictures_of_curves(subject: Surface | Patch | Model, names: Sequence
         "quantity",
         remedy=f"choose the curve {shown} alone" if curves else "draw a quantity, such as gaussian or mean",
     )
-
-
-def read_quantities(names: Sequence[str]) -> list[str | None]:
-    """Return the keys of quantities, None for the plain surface; ValueError for what no colour shows."""
-    if "zebra" in names:
-        raise ArgumentError("zebra stripes are drawn alone, in one view in space", "quantity")
-    keys = [None if name == "surface" else row(name).key for name in names]
-    for key in keys:
-        if key is not None and row(key).kind == "vector":
-            raise ArgumentError(f"{key!r} is a vector, which no colour shows", "quantity")
-    return keys
 
 
 def _page(subject: Subject, heading: str, unit: str, style: Style) -> _Page:
