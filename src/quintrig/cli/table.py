@@ -136,10 +136,14 @@ def _deliver(
     if chosen == "text":
         print_table(result)
         return
-    from quintrig.exchange.latex import to_latex
-    from quintrig.exchange.tables import WRITERS
+    if chosen == "latex":
+        from quintrig.exchange.latex import to_latex
 
-    text = to_latex(result, digits=digits, siunitx=siunitx) if chosen == "latex" else WRITERS[chosen](result)
+        text = to_latex(result, digits=digits, siunitx=siunitx)
+    else:
+        from quintrig.exchange.tables import WRITERS
+
+        text = WRITERS[chosen](result)
     session.deliver(text, output, *sources)
 
 
