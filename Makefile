@@ -15,11 +15,11 @@ test-fast test-slow test-lowest test-processors: export OPENBLAS_NUM_THREADS := 
 test: test-fast test-slow
 
 test-fast: .venv/installed-dev
-	$(BIN)/python -m pytest -n auto --dist loadgroup -m "not slow" $(if $(CI),--cov --cov-report=term)
+	$(BIN)/python -m pytest -n auto -m "not slow" $(if $(CI),--cov --cov-report=term)
 
 # More processes than cores: pages and commands mostly wait.
 test-slow: .venv/installed-dev
-	$(BIN)/python -m pytest -n 4 --dist loadgroup -m slow
+	$(BIN)/python -m pytest -n 4 -m slow
 
 # Numbers with the lowest versions of dependencies that pyproject.toml lets in, in an environment of their own.
 LOWEST := $(addprefix tests/test_,$(addsuffix .py,basis construct curve envelope integrate model nurbs quantity schema \

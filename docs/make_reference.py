@@ -86,7 +86,7 @@ CHAPTERS = {
         "Umbilics",
     ),
     "Proofs": ("prove", "bounds", "Verdict", "Bounds"),
-    "Design": ("design", "Design", "fair", "fair_curve", "Fairing", "strip", "Strip"),
+    "Design": ("design", "Design", "fair", "fair_curve", "Fairing", "strip", "Strip", "strips", "Strips"),
     "Pictures": ("plot", "Style", "animate", "Animation"),
     "Exchange": ("save", "export", "open_model", "exact_surface", "unroll", "Sheet"),
     "From modules of their own": (

@@ -1,6 +1,8 @@
 """What every test run begins with."""
 
+import re
 import signal
+from pathlib import Path
 
 import pytest
 
@@ -28,6 +30,7 @@ SLOW = frozenset(
         "mesh",
         "outputs",
         "plugins",
+        "plugins_browser",
         "proofs_many",
         "properties",
         "readme",
@@ -48,18 +51,28 @@ SLOW = frozenset(
 """Files of tests that take more than some twenty seconds, without ``test_``; those of the studio's pages besides."""
 
 
-def shares(item):
-    """Return whether a test uses what is made once for its file; a browser starts at once and does not count."""
-    defined = item._fixtureinfo.name2fixturedefs  # no public name tells
-    return any(used[-1].scope == "module" for name, used in defined.items() if name != "browser")
+SHARING = re.compile(r'@pytest\.fixture\(scope="module".*\)\ndef (?!browser)|^from test_studio_browser import', re.M)
+"""What a file of tests says that makes something once for all of them, or opens the browser."""
 
 
-@pytest.hookimpl(tryfirst=True)  # before xdist reads the groups
-def pytest_collection_modifyitems(items):
-    """Mark what is slow, so that ``-m "not slow"`` leaves it out, and keep tests together that share what was made."""
-    for item in items:
-        name = item.path.stem.removeprefix("test_")
-        if name in SLOW or name.startswith("studio_"):
-            item.add_marker(pytest.mark.slow)
-        if shares(item):
-            item.add_marker(pytest.mark.xdist_group(name))
+def pytest_itemcollected(item):
+    """Mark what is slow, so that ``-m "not slow"`` leaves it out."""
+    name = item.path.stem.removeprefix("test_")
+    if name in SLOW or name.startswith("studio_"):
+        item.add_marker(pytest.mark.slow)
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config, log):
+    """Return the scheduler of pytest-xdist: a file's tests go to one process where they share what is made once."""
+    from xdist.scheduler import LoadScopeScheduling
+
+    files = Path(__file__).parent.glob("test_*.py")
+    together = {path.name for path in files if SHARING.search(path.read_text("utf-8"))}
+
+    class Together(LoadScopeScheduling):
+        def _split_scope(self, nodeid):
+            file = nodeid.partition("::")[0]
+            return file if Path(file).name in together else nodeid
+
+    return Together(config, log)

@@ -162,6 +162,25 @@ def test_silhouette_isophotes_and_draft_of_a_sphere():
     assert np.abs(np.concatenate([line.points for line in near])[:, 2] - 1.0).max() < 1e-9
 
 
+def test_chords_and_ends_keep_the_tolerance_where_lines_nearly_cross_or_cease():
+    x = np.arange(6.0)
+    bent = np.array([0, 2, -1, 3, 1, 0.5])
+    section, trajectory = np.stack([x, 0 * x, bent], axis=1), np.stack([0 * x, x, bent[::-1] - 0.5], axis=1)
+    swept = quintrig.swept(section, trajectory)  # K = l n = 0 on lines that cross
+    for kind in ("parabolic", "ridges"):
+        coarse, fine = (lines(swept, kind, tolerance=tolerance) for tolerance in (2e-3, 2e-5))
+        assert len(coarse) == len(fine) > 2
+        middles = np.array([line.points[[0, -1]].mean(axis=0) for line in fine])  # the order of mirrored ones is chance
+        for one in coarse:
+            other = list(fine)[np.linalg.norm(middles - one.points[[0, -1]].mean(axis=0), axis=1).argmin()]
+            assert one.length == pytest.approx(other.length, abs=2 * coarse.tolerance)
+            step = np.diff(one.points, axis=0)
+            gap = other.points[:, None] - one.points[None, :-1]
+            share = np.einsum("nmk,mk->nm", gap, step) / np.einsum("mk,mk->m", step, step)
+            away = np.linalg.norm(gap - np.clip(share, 0, 1)[..., None] * step, axis=2).min(axis=1)
+            assert away.max() <= 1.1 * one.chord_error + 1e-6
+
+
 def test_sections_by_planes_and_by_a_surface():
     stack = lines(TORUS, "section", normal=(0, 0, 1), spacing=0.5, through=(0, 0, 0))
     inner = [line.level for line in stack if abs(line.level) < 0.9]  # the planes at ±1 only touch it

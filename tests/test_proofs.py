@@ -207,6 +207,62 @@ def test_a_strip_of_planes_is_developable_by_construction_and_curves_as_sampled(
         assert found.maximum[1] - sample[key].max() < 2e-3 * np.abs(sample[key]).max()
 
 
+@pytest.mark.parametrize("lift", [0.0, 0.1])
+def test_folds_are_refuted_where_the_normal_turns_over(lift):
+    x, y = np.meshgrid(np.linspace(0, 3, 6), np.linspace(0, 3, 6), indexing="ij")
+    net = np.stack([x, y, lift * y * y], axis=-1)
+    net[2:4, :, 0] = net[3:1:-1, :, 0] + [[0.7], [-0.7]]
+    verdict = quintrig.prove(quintrig.tensor(net), "no fold")
+    assert verdict.verdict == "refuted"
+    su, sv = (quintrig.tensor(net).partials(verdict.witness.u, verdict.witness.v, 1)[k] for k in ((1, 0), (0, 1)))
+    assert np.linalg.norm(np.cross(su, sv)) < 1e-2
+    assert quintrig.prove(quintrig.tensor(np.stack([x, y, 0.1 * x * y], axis=-1)), "no fold").proved
+
+
+def test_of_what_has_no_normal_anywhere_nothing_is_proved_of_curvature():
+    net = np.linspace(0, 1, 36).reshape(6, 6, 1) * np.array([1.0, 0.0, 0.0])
+    assert quintrig.prove(quintrig.tensor(net), "regular").verdict == "refuted"
+    assert quintrig.prove(quintrig.tensor(net), "gaussian >= 0").verdict == "undecided"
+
+
+def strip(bounds, cone=0.3):
+    """Return a strip of planes that touch a cone-like surface, cut by two bounding planes."""
+    angle = np.radians(np.linspace(0, 60, 6))
+    planes = np.stack([np.cos(angle), np.sin(angle), cone + 0 * angle, -10 - 0.2 * np.arange(6.0)], axis=-1)
+    return quintrig.developable(planes, bounds)
+
+
+def test_a_strip_with_its_edge_of_regression_inside_is_judged_by_its_curvature():
+    surface = strip([[0, 0, 1, 0], [0, 0, 1, -60.0]])
+    verdict = quintrig.prove(surface, "regular")
+    assert verdict.verdict == "refuted"
+    assert 0.0 < verdict.witness.v < 1.0
+    assert verdict.witness.value == 0.0
+    assert "edge of regression" in verdict.why
+    least = np.abs(quintrig.analyse(surface, *quintrig.grid(33, 65), ("mean",))["mean"]).min()
+    for claim, word in (("mean <= 0", "proved"), ("mean >= -9", "refuted"), ("curvature_radius >= 1e-3", "refuted")):
+        verdict = quintrig.prove(surface, claim)
+        assert verdict.verdict == word, claim
+        if verdict.witness:
+            sample = quintrig.analyse(surface, verdict.witness.u, verdict.witness.v, ("mean",))["mean"]
+            value = 2.0 * abs(verdict.witness.value) if "mean" in claim else 1.0 / verdict.witness.value
+            assert 2.0 * abs(float(sample)) == pytest.approx(value, rel=1e-3)
+    assert quintrig.prove(surface, f"curvedness >= {1.4 * least}").proved
+    found = quintrig.bounds(surface, "mean")
+    assert found.minimum[0] == -np.inf
+    assert found.maximum[0] <= -least * (1 - 1e-9) or found.maximum[1] >= -least
+    assert quintrig.prove(surface, "mean", bounds=True).bounds[0] == -np.inf
+
+
+def test_a_strip_whose_boundaries_cross_is_not_regular_and_its_normal_turns_over():
+    surface = strip([[0, 0, 1, 0], [1, -0.5, 1, -4.0]])
+    verdict = quintrig.prove(surface, "regular")
+    assert verdict.verdict == "refuted"
+    assert np.linalg.norm(surface(verdict.witness.u, 0.0) - surface(verdict.witness.u, 1.0)) < 1e-9
+    assert not any(quintrig.prove(surface, claim).proved for claim in ("mean <= 0", "mean >= 0", "convex", "no fold"))
+    assert quintrig.prove(surface, "curvature_radius >= 1").proved
+
+
 def test_edges_that_stand_still_are_divided_out():
     surface = quintrig.tensor(dome(np.random.default_rng(8), 0.02), (-4.0, 0.0, 0.0, -4.0))
     verdict = quintrig.prove(surface, "regular")

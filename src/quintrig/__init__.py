@@ -103,6 +103,8 @@ if TYPE_CHECKING:
     from quintrig.shaping.fitting.result import Fit as Fit
     from quintrig.shaping.strip import Strip as Strip
     from quintrig.shaping.strip import strip as strip
+    from quintrig.shaping.strips import Strips as Strips
+    from quintrig.shaping.strips import strips as strips
     from quintrig.support.errors import ModelError as ModelError
 
 __version__ = "0.2.0"
@@ -186,6 +188,7 @@ _HOME = {
     "shaping.fair_curve": ("fair_curve",),
     "shaping.fairing": ("Fairing",),
     "shaping.strip": ("Strip", "strip"),
+    "shaping.strips": ("Strips", "strips"),
     "geometry.surface": ("Surface",),
 }
 

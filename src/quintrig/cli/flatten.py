@@ -1,4 +1,4 @@
-"""``quintrig flatten``: the flat pattern of a developable surface."""
+"""``quintrig flatten``: the flat pattern of a developable surface, or of all patches of a model."""
 
 from pathlib import Path
 from typing import Annotated, Literal
@@ -49,7 +49,7 @@ def flatten(
         float, typer.Option(metavar="SHARE", help="Largest change of a length that still counts as none.")
     ] = 1e-9,
 ) -> None:
-    """Unroll a developable surface into a pattern to cut from sheet, at true scale.
+    """Unroll a developable surface into a pattern to cut from sheet, at true scale; all patches of a model on one page.
 
     The lengths of both boundaries, of all rulings and the area are compared with the surface and printed. A surface
     that is not developable is refused with what flattening would distort, and one whose edge of regression lies
@@ -66,7 +66,14 @@ def flatten(
     loaded = session.load(model, face, whole)
     refuse_loss(output, model)
     replaced = output.is_file()
-    for line in export_pattern(loaded.patch(patch), loaded.unit, output, options):
+    several = patch is None and len(loaded.patches) > 1
+    try:
+        told = export_pattern(loaded.patches if several else loaded.patch(patch), loaded.unit, output, options)
+    except ValueError as error:
+        if several:
+            raise ValueError(f"{error}; of several patches choose one by its name (--patch NAME)") from None
+        raise
+    for line in told:
         session.remark(line)
     session.wrote(output, replaced)
 

@@ -17,6 +17,7 @@ from quintrig.model.patch import Patch
 COUNT = 10
 """Levels where nothing else is asked for."""
 
+_POINT = 1e-9  # of the size: lines no longer than this are points
 _SAME = 1e-13  # of the size of the values: a scalar that does not vary
 
 
@@ -71,10 +72,12 @@ def level_lines(
 def as_lines(
     patch: Patch, paths: Sequence[Path], label: str, values: Values, told: float | None = None, strength: bool = False
 ) -> Iterator[Line]:
-    """Yield the lines of paths, cut at the loops of the face."""
+    """Yield the lines of paths, cut at the loops of the face; what touches the edge in one point is none."""
     for path in paths:
         for part in path.cut(patch.surface):
-            yield line_of(patch.surface, patch.name, part, label, values, level=told, strength=strength)
+            line = line_of(patch.surface, patch.name, part, label, values, level=told, strength=strength)
+            if line.length > _POINT * patch.surface.size:
+                yield line
 
 
 def of_quantity(key: str) -> Values:

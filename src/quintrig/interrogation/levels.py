@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from quintrig.geometry.surface import Surface
 from quintrig.geometry.trimmed import window
-from quintrig.interrogation.polyline import Path
+from quintrig.interrogation.polyline import Path, strayed
 from quintrig.support.arrays import BoolArray, FloatArray
 
 CELLS = 107
@@ -22,6 +22,8 @@ CELLS = 107
 _ROUNDS = 60  # of regula falsi on an edge
 _SAME = 1e-13  # of an edge: a bracket so narrow is a root
 _DEEPEST = 12  # times that a chord is halved
+_SECANTS, _STILL = 30, 1e-12  # steps to the line, of which those where two levels nearly cross need many
+_FAR = 0.95  # of the chord: how far from its middle the line may be; at a right corner it is half of it
 _FALLS = 1e-5  # of the values beside it: a sign that changes without a zero is no level
 
 Parts = tuple[FloatArray, FloatArray | float, FloatArray | None]
@@ -197,40 +199,39 @@ def _strung(beside: dict[int, list[int]]) -> list[list[int]]:
 
 
 def _filled(scalar: Scalar, surface: Surface, patch: int, uv: FloatArray, level: float, chord: float) -> Path:
-    """Return the path with points put in until the line is within ``chord`` of its chords."""
+    """Return the path with points put in until the line is within ``chord`` of its chords, at three places of each."""
     apart = np.concatenate([[True], np.abs(np.diff(uv, axis=0)).max(axis=1) > 1e-13])
     uv = uv[apart] if apart.sum() > 1 else uv
-    middles = _middles(scalar, uv, level)
+    middles = between(scalar, uv[:-1], uv[1:], level)
+    quarters = _quarters(scalar, np.stack([uv[:-1], middles, uv[1:]], axis=1), level)
     for _ in range(_DEEPEST):
-        points, between = surface(*uv.T), surface(*middles.T)
-        along, to = np.diff(points, axis=0), between - points[:-1]
-        length = np.einsum("nk,nk->n", along, along)
-        share = np.einsum("nk,nk->n", to, along) / np.where(length > 0.0, length, 1.0)
-        off = np.linalg.norm(to - share[:, None] * along, axis=1)
+        beside = np.concatenate([middles[:, None], quarters], axis=1)
+        off = strayed(surface(*uv.T), surface(beside[..., 0], beside[..., 1]))
         coarse = np.flatnonzero(off > chord)
         if not len(coarse):
             break
-        uv = np.insert(uv, coarse + 1, middles[coarse], axis=0)
+        halves, fifth = quarters[coarse], [uv[coarse], middles[coarse], uv[coarse + 1]]
+        stops = np.stack([fifth[0], halves[:, 0], fifth[1], halves[:, 1], fifth[2]], axis=1)
+        finer = [_quarters(scalar, stops[:, k : k + 3], level) for k in (0, 2)]
         new = coarse + np.arange(len(coarse))
-        refined = _pairs(scalar, uv, new, level)
-        middles = np.insert(middles, coarse + 1, refined[:, 1], axis=0)
-        middles[new] = refined[:, 0]
+        uv = np.insert(uv, coarse + 1, fifth[1], axis=0)
+        middles, quarters = (
+            np.insert(parts, coarse + 1, second, axis=0)
+            for parts, second in ((middles, halves[:, 1]), (quarters, finer[1]))
+        )
+        middles[new], quarters[new] = halves[:, 0], finer[0]
     gap = float(np.linalg.norm(surface(*uv[0]) - surface(*uv[-1])))
     closed = len(uv) > 3 and gap <= 1e-9 * max(surface.size, 1e-300)
-    return Path(patch, uv, middles, closed)
+    return Path(patch, uv, middles, closed, quarters=quarters)
 
 
-def _pairs(scalar: Scalar, uv: FloatArray, start: NDArray[np.intp], level: float) -> FloatArray:
-    """Return the middles (k, 2, 2) of the two chords after each of the points ``start``."""
-    ends = np.stack([uv[start], uv[start + 1], uv[start + 1], uv[start + 2]], axis=1).reshape(-1, 2)
-    return _between(scalar, ends[0::2], ends[1::2], level).reshape(-1, 2, 2)
+def _quarters(scalar: Scalar, stops: FloatArray, level: float) -> FloatArray:
+    """Return the points (k, 2, 2) of the line between each two of three (k, 3, 2) of its points."""
+    start, end = stops[:, :-1].reshape(-1, 2), stops[:, 1:].reshape(-1, 2)
+    return between(scalar, start, end, level).reshape(-1, 2, 2)
 
 
-def _middles(scalar: Scalar, uv: FloatArray, level: float) -> FloatArray:
-    return _between(scalar, uv[:-1], uv[1:], level)
-
-
-def _between(scalar: Scalar, start: FloatArray, end: FloatArray, level: float) -> FloatArray:
+def between(scalar: Scalar, start: FloatArray, end: FloatArray, level: float) -> FloatArray:
     """Return points of the line (k, 2) halfway between its points: from the middle of the chord across it, by secants.
 
     Where they find none near, the middle of the chord stands.
@@ -251,10 +252,12 @@ def _between(scalar: Scalar, start: FloatArray, end: FloatArray, level: float) -
         a: FloatArray = np.zeros(len(start))
         b: FloatArray = np.asarray(1e-3 * width)
         fa, fb = signed(first, level, reference), at(b)
-        for _ in range(8):
+        for _ in range(_SECANTS):
             c: FloatArray = b - fb * (b - a) / (fb - fa)
-            c = np.where(np.isfinite(c), np.clip(c, -0.5 * width, 0.5 * width), b)
+            c = np.where(np.isfinite(c), np.clip(c, -width, width), b)
             a, fa, b = b, fb, c
             fb = at(b)
-    found = np.isfinite(fb) & (np.abs(b) < 0.45 * width)
+            if (np.abs(b - a) <= _STILL * width).all():
+                break
+    found = np.isfinite(fb) & (np.abs(b) < _FAR * width)
     return np.clip(np.where(found[:, None], middle + b[:, None] * across, middle), 0.0, 1.0)

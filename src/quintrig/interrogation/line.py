@@ -15,7 +15,8 @@ class Line(Pickled, Shown):
 
     ``values`` (n,) is the quantity along it, ``label`` its family or level. Lines that run on across patches or the
     seam of a closed surface have one ``chain``. ``chord_error`` is how far, at most, the line lies from its chords,
-    measured at the middle of each, length¹. ``strength`` is that of a ridge, ∫|κ| ds.
+    measured at the middle of each, and of level sets at the quarters too, length¹. ``strength`` is that of a ridge,
+    ∫|κ| ds.
     """
 
     patch: str

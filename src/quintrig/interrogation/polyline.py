@@ -2,13 +2,15 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import cast
 
 import numpy as np
+from numpy.typing import NDArray
 
 from quintrig.geometry.surface import Surface
 from quintrig.interrogation.line import Line
-from quintrig.support.arrays import FloatArray
+from quintrig.support.arrays import BoolArray, FloatArray
 
 Values = Callable[[Surface, FloatArray], FloatArray]
 """The quantity at parameters (n, 2) of a surface, (n,)."""
@@ -20,7 +22,8 @@ _HALVINGS = 40  # to find where a line leaves a face
 class Path:
     """Parameters on one patch: ``uv`` (n, 2), and ``middles`` (n - 1, 2) of the line between them.
 
-    ``known`` are the points of both, where they were looked up before.
+    ``known`` are the points of both, where they were looked up before. ``quarters`` (n - 1, 2, 2), where there are any,
+    lie before and after the middles.
     """
 
     patch: int
@@ -28,6 +31,7 @@ class Path:
     middles: FloatArray
     closed: bool = False
     known: tuple[FloatArray, FloatArray] | None = None
+    quarters: FloatArray | None = None
 
     def on(self, surface: Surface) -> tuple[FloatArray, FloatArray]:
         """Return the points (n, 3), and those in the middles (n - 1, 3), length¹."""
@@ -39,13 +43,16 @@ class Path:
         """Return the path from point ``first`` up to before ``last``."""
         known = None if self.known is None else (self.known[0][first:last], self.known[1][first : last - 1])
         whole = last - first == len(self.uv)
-        return Path(self.patch, self.uv[first:last], self.middles[first : last - 1], self.closed and whole, known)
+        quarters = None if self.quarters is None else self.quarters[first : last - 1]
+        closed = self.closed and whole
+        return Path(self.patch, self.uv[first:last], self.middles[first : last - 1], closed, known, quarters)
 
     @property
     def backwards(self) -> "Path":
         """The path from its end to its beginning."""
         known = None if self.known is None else (self.known[0][::-1], self.known[1][::-1])
-        return Path(self.patch, self.uv[::-1], self.middles[::-1], self.closed, known)
+        quarters = None if self.quarters is None else self.quarters[::-1, ::-1]
+        return Path(self.patch, self.uv[::-1], self.middles[::-1], self.closed, known, quarters)
 
     def then(self, other: "Path") -> "Path":
         """Return the path that goes on from its last point with another, which begins there."""
@@ -63,22 +70,28 @@ class Path:
         if not surface.trim:
             return [self]
         inside = surface.inside(*self.uv.T)
-        if inside.all():
+        return self.parts(inside, [self._crossing(surface, int(i), bool(inside[i])) for i in changes(inside)])
+
+    def parts(self, kept: BoolArray, crossings: Sequence[FloatArray]) -> "list[Path]":
+        """Return the stretches of points that are kept, each to the crossing (1, 2) between them and the next one."""
+        if kept.all():
             return [self]
         parts: list[Path] = []
         start = 0
-        change = np.flatnonzero(inside[1:] != inside[:-1])
-        ends = {int(i): self._crossing(surface, int(i), bool(inside[i])) for i in change}
-        for i in [*ends, len(inside) - 1]:
-            if inside[i]:
+        ends = dict(zip(changes(kept).tolist(), crossings, strict=True))
+        for i in [*ends, len(kept) - 1]:
+            if kept[i]:
                 head = [ends[start - 1]] if start else []
                 tail = [ends[i]] if i in ends else []
                 uv = np.concatenate([*head, self.uv[start : i + 1], *tail])
-                middles = 0.5 * (uv[1:] + uv[:-1])
+                middles, quarters = 0.5 * (uv[1:] + uv[:-1]), None
                 whole = slice(len(head), len(head) + i - start)
                 middles[whole] = self.middles[start:i]
+                if self.quarters is not None:
+                    quarters = np.stack([0.5 * (uv[:-1] + middles), 0.5 * (middles + uv[1:])], axis=1)
+                    quarters[whole] = self.quarters[start:i]
                 if len(uv) > 1:
-                    parts.append(Path(self.patch, uv, middles))
+                    parts.append(Path(self.patch, uv, middles, quarters=quarters))
             start = i + 1
         return parts
 
@@ -105,16 +118,45 @@ def looked_up(surfaces: Sequence[Surface], paths: Sequence[Path]) -> None:
             object.__setattr__(path, "known", pair)
 
 
+def changes(kept: BoolArray) -> NDArray[np.intp]:
+    """Return after which points of a line it is kept no longer, or from the next one on."""
+    return np.flatnonzero(kept[1:] != kept[:-1])
+
+
+def strayed(points: FloatArray, between: FloatArray) -> FloatArray:
+    """Return how far a line through points (n, 3) is from each chord (n - 1,), length¹.
+
+    ``between`` (n - 1, m, 3) are points of it in the middle of each and, where known, at the quarters. There a smooth
+    line is off by 3/4 of what it is in the middle; where it is not, it may be off by more between them, and twice
+    the difference is added.
+    """
+    chord, before = np.diff(points, axis=0)[:, None], between - points[:-1, None]
+    square = np.einsum("nmk,nmk->nm", chord, chord)
+    share = np.clip(np.einsum("nmk,nmk->nm", before, chord) / np.where(square > 0.0, square, 1.0), 0.0, 1.0)
+    away = before - share[..., None] * chord
+    rough = np.linalg.norm(away[:, 1:] - 0.75 * away[:, :1], axis=2).max(axis=1, initial=0.0)
+    return np.linalg.norm(away, axis=2).max(axis=1) + 2.0 * rough
+
+
 def measured(surface: Surface, path: Path) -> tuple[FloatArray, FloatArray, float]:
     """Return points (n, 3), arc length (n,) and chord error of a path, length¹."""
     points, middles = path.on(surface)
-    before, after, chord = middles - points[:-1], points[1:] - middles, points[1:] - points[:-1]
-    halves = np.linalg.norm(before, axis=1) + np.linalg.norm(after, axis=1)
-    whole = np.linalg.norm(chord, axis=1)
-    s = np.concatenate([[0.0], np.cumsum((4.0 * halves - whole) / 3.0)])
-    share = np.clip(np.einsum("nk,nk->n", before, chord) / np.where(whole > 0.0, whole * whole, 1.0), 0.0, 1.0)
-    off = np.linalg.norm(before - share[:, None] * chord, axis=1)
-    return points, s, float(off.max(initial=0.0))
+    between = middles[:, None]
+    stops = [points[:-1], middles, points[1:]]
+    lengths = [_length(stops[::2]), _length(stops)]
+    if path.quarters is not None:
+        quarters = surface(path.quarters[..., 0], path.quarters[..., 1])
+        between = np.concatenate([between, quarters], axis=1)
+        lengths.append(_length([stops[0], quarters[:, 0], stops[1], quarters[:, 1], stops[2]]))
+    step = (4.0 * lengths[-1] - lengths[-2]) / 3.0  # chords of half the width are off by a quarter
+    s = np.concatenate([[0.0], np.cumsum(np.maximum(step, lengths[0]))])
+    return points, s, float(strayed(points, between).max(initial=0.0))
+
+
+def _length(stops: Sequence[FloatArray]) -> FloatArray:
+    """Return the length of polylines through points (n, 3) each."""
+    steps = [np.linalg.norm(after - before, axis=1) for before, after in pairwise(stops)]
+    return np.asarray(np.sum(steps, axis=0))
 
 
 def line_of(

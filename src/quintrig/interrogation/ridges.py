@@ -9,13 +9,14 @@ import numpy as np
 
 from quintrig.geometry.surface import Surface
 from quintrig.interrogation.fields import ridge_scalar
-from quintrig.interrogation.levels import Grid, Scalar, signed
+from quintrig.interrogation.levels import Grid, Scalar, between, signed
 from quintrig.interrogation.local import Local
-from quintrig.interrogation.polyline import Path
+from quintrig.interrogation.polyline import Path, changes
 from quintrig.support.arrays import BoolArray, FloatArray
 
 NAMES = {1: "trough", 2: "crest"}
 
+_HALVINGS = 20  # of a chord, to find where a ridge ends
 _STEP = 1e-4  # of the domain: at which the change along a line is told
 _NOISE = 1e-9  # of C²: a change of curvature that is rounding
 
@@ -31,10 +32,13 @@ def ridges(surface: Surface, patch: int, family: int, chord: float) -> list[Path
     both = np.isfinite(values) & np.isfinite(curved)
     if not both.any() or np.median(values[both]) <= _NOISE * float(np.max(curved[both])) ** 2:
         return None
+    paths = grid.paths(patch, surface, 0.0, chord)
+    kept = [_extreme(surface, path.uv, scalar, family) for path in paths]
+    ends = iter(_ends(surface, paths, kept, scalar, family))
     return [
         part
-        for path in grid.paths(patch, surface, 0.0, chord)
-        for part in _parts(path, _extreme(surface, path.uv, scalar, family))
+        for path, use in zip(paths, kept, strict=True)
+        for part in path.parts(use, [next(ends) for _ in changes(use)])
     ]
 
 
@@ -53,7 +57,16 @@ def _extreme(surface: Surface, uv: FloatArray, scalar: Scalar, family: int) -> B
         return (rise > 0.0) & (two < 0.0) & (-two >= np.abs(one))
 
 
-def _parts(path: Path, kept: BoolArray) -> list[Path]:
-    """Return the stretches of a path, of two points or more, that are kept."""
-    ends = np.flatnonzero(np.diff(np.concatenate([[False], kept, [False]]).astype(int))).reshape(-1, 2)
-    return [path.part(a, b) for a, b in ends.tolist() if b - a > 1]
+def _ends(surface: Surface, paths: list[Path], kept: list[BoolArray], scalar: Scalar, family: int) -> list[FloatArray]:
+    """Return where the curvature ceases to be extreme or the larger, (1, 2) each, between points kept and not kept."""
+    pairs = [
+        path.uv[[k, k + 1][:: 1 if use[k] else -1]] for path, use in zip(paths, kept, strict=True) for k in changes(use)
+    ]
+    if not pairs:
+        return []
+    good, bad = np.stack(pairs, axis=1)
+    for _ in range(_HALVINGS):
+        middle = between(scalar, good, bad, 0.0)
+        still = _extreme(surface, middle, scalar, family)[:, None]
+        good, bad = np.where(still, middle, good), np.where(still, bad, middle)
+    return list(good[:, None])

@@ -1,6 +1,6 @@
 """``quintrig.fit``: a surface or a curve through measured points, by least orthogonal distances."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import chain
 from typing import Any, Literal
@@ -12,9 +12,9 @@ from quintrig.geometry.curve import Curve
 from quintrig.model.model import Model
 from quintrig.scan.deviation import Deviation, Target, deviation, target_of
 from quintrig.scan.nearest import Finder
-from quintrig.scan.scan import Scan
+from quintrig.scan.scan import Scan, refuse_no_surface
 from quintrig.shaping.fitting import curves, solve
-from quintrig.shaping.fitting.corners import halfway, ways_between
+from quintrig.shaping.fitting.corners import corners_of, halfway, on_sides, ways_between
 from quintrig.shaping.fitting.forms import KINDS, Form, form_of
 from quintrig.shaping.fitting.intervals import intervals
 from quintrig.shaping.fitting.mirror import mirror_of
@@ -35,12 +35,17 @@ HELD = ("tensor", "symmetric", "swept", "ruled")
 _GRIDS = ((1, 1), (2, 2), (3, 3), (4, 4), (6, 6), (8, 8))
 """Grids of patches that are tried in turn where a tolerance is asked for."""
 
-_FIRST, _MAIN, _LAST = 1200, 6000, 200_000
+_FIRST, _MAIN, _LAST = 600, 6000, 200_000
 """Points by which the start is chosen, by which it is refined, and at the end."""
 
-_PROFILE = 3000  # points by which it is tried how far a shape parameter may go
+_CLOSE, _WORSE = 1.05, 3.0
+"""Times the rms of the best way to begin, between which the second is followed too: nearer it is as good."""
 
-_ENERGY = 1e-9  # of the size: a spread below this is a line or a point
+_FEW_OUTLIERS = 0.02  # of the points: with so few it is tried whether they can be met after all
+_DRAWN = 0.01  # weight of a border point's distance from the edge, beside that from the surface
+_ON_CURVE = 200  # points of a given edge
+
+_PROFILE = 3000  # points by which it is tried how far a shape parameter may go
 
 
 @watched
@@ -149,31 +154,33 @@ class _Work:
             self.mirror = np.append(mirror[:3], (mirror[3] + mirror[:3] @ self.centre) / self.scale)
         if corners is not None:
             self.corners = (corners - self.centre) / self.scale
+        self.sides: list[FloatArray] = []
         self.data = self._data(boundary, smooth, robust)
         self._single: tuple[Form, solve.State] | None = None
 
     def _data(self, boundary: str | Sequence[Curve], smooth: float, robust: bool) -> solve.Data:
         local = (self.scan.points - self.centre) / self.scale
         weights = np.ones(len(local)) if self.scan.weights is None else self.scan.weights
-        on = np.zeros(len(local), dtype=np.bool_)
         if isinstance(boundary, str):
             if boundary not in ("free", "curves"):
                 raise ValueError(f"boundary: expected free or curves, or a model of curves, got {boundary!r}")
+            on = np.zeros(len(local), dtype=np.bool_)
             if boundary == "curves":
                 on = border_points(self.scan, local)
-            return solve.Data(local, weights, on, robust, smooth, self.progress)
-        t = np.linspace(0.0, 1.0, 200)
-        held = np.concatenate([np.asarray(curve(t), dtype=np.float64) for curve in boundary])
-        if held.shape[1] != 3:
-            raise ValueError("boundary: expected curves in space, found curves in the plane")
-        heavy = 1e4 * float(weights.sum()) / len(held)
+            # Points count as all others do, and draw the edges beside that: those inside a little, as a cloud has no
+            # border but its outermost points.
+            held, heavy = local[on], _DRAWN * weights[on]
+        else:
+            t = np.linspace(0.0, 1.0, _ON_CURVE)
+            parts = [np.asarray(curve(t), dtype=np.float64) for curve in boundary]
+            if any(part.shape[1] != 3 for part in parts):
+                raise ValueError("boundary: expected curves in space, found curves in the plane")
+            self.sides = [(part - self.centre) / self.scale for part in parts]
+            held = np.concatenate(self.sides)
+            heavy = np.full(len(held), 1e4 * float(weights.sum()) / len(held))
+        border = np.arange(len(local) + len(held)) >= len(local)
         return solve.Data(
-            np.concatenate([local, (held - self.centre) / self.scale]),
-            np.concatenate([weights, np.full(len(held), heavy)]),
-            np.concatenate([on, np.ones(len(held), dtype=np.bool_)]),
-            robust,
-            smooth,
-            self.progress,
+            np.concatenate([local, held]), np.concatenate([weights, heavy]), border, robust, smooth, self.progress
         )
 
     def _form(self, grid: tuple[int, int]) -> Form:
@@ -211,25 +218,36 @@ class _Work:
             return self._single
         form = self._form((1, 1))
         few, main = self.data.some(_FIRST), self.data.some(_MAIN)
-        kept = np.sort(np.random.default_rng(0).permutation(len(self.data.points))[:_FIRST])
-        if len(self.data.points) <= _FIRST:
-            kept = np.arange(len(self.data.points))
         tried: list[solve.State] = []
-        own = self.scan.parameters
-        ways = parametrisations(self.scan, self.data.points, self.kind, self.mirror)
-        if own is not None and len(own) == len(self.data.points):
-            ways = chain([own], ways) if self.scan.noisy else iter([own])
-        if self.corners is not None:
-            ways = ways_between(self.corners, self.data.points, ways)
-        for at in ways:
-            state = solve.begun(form, few, at[kept])
+        for at in self._ways():
+            state = solve.begun(form, few, at[self.data.chosen(_FIRST)])
             tried.append(solve.refined(form, replace(few, smooth=max(few.smooth, 1e-7)), state, False, 10, 1e-3))
-        ranked = sorted(tried, key=lambda one: one.rms)[:2]
+        ranked = sorted(tried, key=lambda one: one.rms)
+        ranked = [one for one in ranked[:2] if one is ranked[0] or _CLOSE < one.rms / ranked[0].rms < _WORSE]
         done = [solve.refined(form, main, replace(one, rms=np.inf), False, 30, 1e-4) for one in ranked]
         best = min(done, key=lambda one: one.rms)
         best = solve.refined(form, main, best, self.free, 80)
+        if main.robust and 0 < solve.left_out(form, main, best) <= _FEW_OUTLIERS * len(main.points):
+            # They may be no outliers, but what a surface that curls up in a corner does not reach.
+            other = solve.refined(form, replace(main, robust=False), best, self.free, 30)
+            other = solve.refined(form, main, replace(other, rms=np.inf), self.free, 80)
+            best = min(best, other, key=lambda one: one.rms)
         self._single = form, best
         return self._single
+
+    def _ways(self) -> Iterator[FloatArray]:
+        """Yield parameters (n, 2) of all points to begin from; those of border points are on the edges."""
+        count = len(self.scan.points)
+        points = self.data.points[:count]
+        own = self.scan.parameters
+        ways = parametrisations(self.scan, points, self.kind, self.mirror)
+        if own is not None:
+            ways = chain([own], ways) if self.scan.noisy else iter([own])
+        corners = self.corners if self.corners is not None else corners_of(self.sides, points)
+        if corners is not None:
+            ways = ways_between(corners, points, ways)
+        for at in ways:
+            yield on_sides(at, points, self.data.points[count:], [len(side) for side in self.sides])
 
     def until_within(self, tolerance: float) -> Fit:
         """Return the first fit in a growing grid of patches that is within a tolerance, or the best of them."""
@@ -332,8 +350,4 @@ def _refuse_line(points: FloatArray) -> None:
     """Raise ValueError for points that no surface can be laid through: too few, all in one place, or on a line."""
     if len(points) < 4:
         raise ValueError(f"points: expected at least 4 for a surface, found {len(points)}")
-    spread = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
-    if not spread[0] > 1e-12 * float(np.abs(points).max()):
-        raise ValueError("points: expected points apart from each other, found all in one place")
-    if not spread[1] > _ENERGY * spread[0]:
-        raise ValueError("points: expected points of a surface, found all on a line; take kind curve")
+    refuse_no_surface(points)

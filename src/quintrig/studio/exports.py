@@ -125,7 +125,8 @@ def _written(model: Model, path: Path, form: Format, order: Order) -> tuple[str,
     if form.family == "pattern" and model.patches:
         from quintrig.exchange.pattern.flatten import FlattenOptions, export_pattern
 
-        return export_pattern(model.patch(order.patch), model.unit, path, FlattenOptions(chord=order.tolerance))
+        patches = model.patches if order.patch is None else model.patch(order.patch)
+        return export_pattern(patches, model.unit, path, FlattenOptions(chord=order.tolerance))
     from quintrig.exchange.export import ExportOptions
     from quintrig.exchange.export import export as write
     from quintrig.exchange.mesh.write import MeshOptions

@@ -1,6 +1,7 @@
 """A flat drawing at true scale: lines, texts and dimensions on named layers, for every drawing format alike."""
 
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -62,6 +63,28 @@ class Drawing:
     unit: str
     text_height: float
     remarks: tuple[str, ...] = field(default=())
+
+
+def together(drawings: Sequence[Drawing], gap: float = 6.0) -> Drawing:
+    """Return several drawings on one page, one above the other, ``gap`` text heights apart; the first is on top."""
+    height = max(one.text_height for one in drawings)
+    lines: list[Line] = []
+    texts: list[Text] = []
+    dimensions: list[Dimension] = []
+    level = 0.0
+    for one in drawings[::-1]:
+        shift = np.array([-one.low[0], level - one.low[1]])
+        lines += [replace(line, points=line.points + shift) for line in one.lines]
+        texts += [replace(text, at=text.at + shift) for text in one.texts]
+        dimensions += [
+            replace(own, start=own.start + shift, end=own.end + shift, place=own.place + shift)
+            for own in one.dimensions
+        ]
+        level += float(one.high[1] - one.low[1]) + gap * height
+    widest = max(float(one.high[0] - one.low[0]) for one in drawings)
+    remarks = tuple(remark for one in drawings for remark in one.remarks)
+    low, high = np.zeros(2), np.array([widest, level - gap * height])
+    return Drawing(tuple(lines), tuple(texts), tuple(dimensions), low, high, drawings[0].unit, height, remarks)
 
 
 def dimension_strokes(dimension: Dimension, height: float) -> tuple[list[FloatArray], FloatArray]:

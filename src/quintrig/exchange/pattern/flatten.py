@@ -1,5 +1,6 @@
 """A developable patch as a flat pattern file for the workshop."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -8,7 +9,7 @@ import numpy as np
 from quintrig.developables.unroll import ALLOWED, Pattern, Sheet, unroll
 from quintrig.exchange.formats import suffixes
 from quintrig.exchange.origin import far, is_far
-from quintrig.exchange.pattern.drawing import Drawing
+from quintrig.exchange.pattern.drawing import Drawing, together
 from quintrig.exchange.pattern.layout import PatternOptions, drawing
 from quintrig.model.patch import Patch
 from quintrig.support.arrays import BoolArray, FloatArray
@@ -44,21 +45,33 @@ class FlattenOptions:
             raise ValueError(f"allowed distortion: expected a share between 0 and 1, found {self.allowed:g}")
 
 
-def export_pattern(patch: Patch, unit: str, path: Path, options: FlattenOptions | None = None) -> tuple[str, ...]:
-    """Write the flat pattern of a patch as DXF, SVG or PDF, and return what to tell about it, one line each.
+def export_pattern(
+    patch: Patch | Sequence[Patch], unit: str, path: Path, options: FlattenOptions | None = None
+) -> tuple[str, ...]:
+    """Write the flat pattern of a patch, or of several on one page, as DXF, SVG or PDF, and return what to tell.
 
-    Raises ValueError where the patch has none, with the reason measured, and QuintrigError for an unwritable target,
+    Raises ValueError where a patch has none, with the reason measured, and QuintrigError for an unwritable target,
     another suffix or a missing extra.
     """
     options = options or FlattenOptions()
     suffix = path.suffix.lower()
     if suffix not in PATTERN_SUFFIXES:
         raise QuintrigError(f"{path}: expected a file ending in {', '.join(PATTERN_SUFFIXES)}")
-    try:
-        pattern = unroll(patch.surface, options.sheet, chord=options.chord, allowed=options.allowed)
-        page = drawing(pattern, patch.name, unit, options.drawing)
-    except ValueError as error:
-        raise ValueError(f'patch "{patch.name}": {error}') from None
+    patches = tuple(patch) if isinstance(patch, Sequence) else (patch,)
+    pages: list[Drawing] = []
+    told: list[str] = []
+    for one in patches:
+        try:
+            pattern = unroll(one.surface, options.sheet, chord=options.chord, allowed=options.allowed)
+            page = drawing(pattern, one.name, unit, options.drawing)
+        except ValueError as error:
+            raise ValueError(f'patch "{one.name}": {error}') from None
+        pages.append(page)
+        told += [remark for remark in page.remarks if not remark.startswith(("boundaries ", "outline "))]
+        told += _checks(pattern, unit)
+        told += [f"{far(one.surface)}; move the model nearer for more digits"] if is_far(one.surface) else []
+        told += _cautions(page)
+    page = pages[0] if len(pages) == 1 else together(pages)
     if suffix == ".dxf":
         from quintrig.exchange.pattern.dxf import dxf
 
@@ -71,9 +84,7 @@ def export_pattern(patch: Patch, unit: str, path: Path, options: FlattenOptions 
         from quintrig.exchange.pattern.pdf import pdf
 
         write_whole(path, pdf(page))
-    drawn = [remark for remark in page.remarks if not remark.startswith(("boundaries ", "outline "))]
-    away = (f"{far(patch.surface)}; move the model nearer for more digits",) if is_far(patch.surface) else ()
-    return (*drawn, *_checks(pattern, unit), *away, *_cautions(page))
+    return tuple(told)
 
 
 def _checks(pattern: Pattern, unit: str) -> tuple[str, ...]:

@@ -9,9 +9,11 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from quintrig.scan.nearest import Feet, Finder
 from quintrig.shaping.fitting.equations import System, points_on, system_of
+from quintrig.shaping.fitting.feet import Sheet
 from quintrig.shaping.fitting.forms import Form
 from quintrig.support.arrays import BoolArray, FloatArray
 from quintrig.support.progress import Progress
@@ -26,6 +28,18 @@ _LEAST_SLIDE = 1e-9
 
 _BROUGHT_BACK, _BEYOND, _ASTRAY = 3, 1.001, 1e3
 """How often a step is brought back onto the points, and from how many times the rms before it, at least and at most."""
+
+_SEARCHES, _FOUND = 4, 1e-6
+"""How often feet are looked for on all of the surface, and what share of the rms that must take off to go on."""
+
+_TOLD = 0.1
+"""Over the number of points: the share of the rms below which a change is lost in their noise."""
+
+_EDGE = 101
+"""Places along an edge from which the feet of border points are followed."""
+
+_FINE = 1e-5
+"""Of the size: noise of points below which they tell all of a surface, as exact ones do."""
 
 _UNREACHED = 0.05
 """Of the size: as far beyond the border of a surface a point still draws it."""
@@ -45,11 +59,18 @@ class Data:
     smooth: float = 0.0
     progress: Progress | None = None
 
+    def chosen(self, most: int) -> NDArray[np.int64]:
+        """Return the places of at most so many of the points, the same ones each time."""
+        count = len(self.points)
+        if count <= most:
+            return np.arange(count)
+        return np.sort(np.random.default_rng(0).permutation(count)[:most])
+
     def some(self, most: int) -> "Data":
         """Return at most so many of the points, the same ones each time."""
         if len(self.points) <= most:
             return self
-        kept = np.sort(np.random.default_rng(0).permutation(len(self.points))[:most])
+        kept = self.chosen(most)
         return replace(self, points=self.points[kept], weights=self.weights[kept], border=self.border[kept])
 
 
@@ -84,54 +105,106 @@ def begun(form: Form, data: Data, at: FloatArray) -> State:
 def refined(
     form: Form, data: Data, state: State, free: bool, rounds: int, exact: float = 1e-5, but: int | None = None
 ) -> State:
-    """Return the fit that distances cannot be made less from; ``free`` lets the shape parameters move, ``but`` one."""
+    """Return the fit that distances cannot be made less from; ``free`` lets the shape parameters move, ``but`` one.
+
+    Feet are followed from round to round, and looked for on all of the surface where that comes to rest.
+    """
     here = _at(form, state, data)
-    slide, stuck = 0.3, 0
+    for _ in range(_SEARCHES):
+        best, used = _descended(form, data, here, free, rounds, exact, but)
+        rounds -= used
+        if best is here:
+            break
+        here = _at(form, best.state, data)
+        if rounds <= 0 or not here.rms < (1.0 - _FOUND) * best.rms:
+            break
+    return replace(here.state, rms=here.rms)
+
+
+def _descended(
+    form: Form, data: Data, here: "_Step", free: bool, rounds: int, exact: float, but: int | None
+) -> tuple["_Step", int]:
+    """Return the best step of so many rounds, and how many there were."""
+    slide, stuck, number = 0.3, 0, 0
+    exact = max(exact, _TOLD / len(data.points))
     for number in range(rounds):
         if data.progress:
             data.progress(f"fitting {form.patches or 1} patch{'es' if form.patches > 1 else ''}", number, rounds)
         if stuck >= 4 or here.rms < 1e-13:
-            break
-        there = _at(form, _stepped(form, here, data, slide, free, but), data)
+            return here, number
+        there = _at(form, _stepped(form, here, data, slide, free, but), data, here)
         # The surface slid along itself, and a straight step leaves it by the square of that: it is brought back.
         for _ in range(_BROUGHT_BACK):
             if not _BEYOND * here.rms < there.rms < _ASTRAY * here.rms:
                 break
-            back = _at(form, _stepped(form, there, data, 10.0 * slide, free, but), data)
+            back = _at(form, _stepped(form, there, data, 10.0 * slide, free, but), data, there)
             if not back.rms < there.rms:
                 break
             there = back
         if there.rms < here.rms:
-            stuck = stuck + 1 if here.rms - there.rms < exact * here.rms else 0
-            here = there
-            slide = max(0.2 * slide, _LEAST_SLIDE)
+            little = here.rms - there.rms < exact * here.rms
+            stuck = stuck + 1 if little else 0
+            here = _judged(there.state, there.feet, data)
+            slide = max((0.01 if little else 0.2) * slide, _LEAST_SLIDE)
         else:
             slide = min(10.0 * slide, 10.0)
             stuck += 1
-    return replace(here.state, rms=here.rms)
+    return here, rounds
 
 
 @dataclass(frozen=True, eq=False)
 class _Step:
-    """A state with the feet of the points on it, the weights of those that are trusted, and the rms that they leave."""
+    """A state with the feet of the points on it, the weights of those that are trusted, and the rms that they leave.
+
+    ``usual`` is the distance by which it is told which are trusted.
+    """
 
     state: State
     feet: Feet
     weights: FloatArray
     rms: float
+    usual: float
 
 
-def _at(form: Form, state: State, data: Data) -> _Step:
-    feet = _feet(form, state, data)
-    weights = _trusted(feet, data)
-    return _Step(state, feet, weights, _rms(feet, weights))
+def _at(form: Form, state: State, data: Data, near: _Step | None = None) -> _Step:
+    """Return a state with its feet, followed from those of a step near to it, and judged by its usual distance."""
+    if near is None:
+        return _judged(state, _feet(form, state, data), data)
+    return _judged(state, _feet(form, state, data, near.feet), data, near.usual)
+
+
+def _judged(state: State, feet: Feet, data: Data, usual: float | None = None) -> _Step:
+    """Return a state without the trust in points far beyond what the others' distances let expect.
+
+    Those count as if they were as far as their limit, so that nothing is gained by losing them.
+    """
+    gap = np.linalg.norm(feet.away, axis=1)
+    own, weights, limit = ~data.border, data.weights, np.full(len(gap), np.inf)
+    if data.robust and own.any():
+        usual = 1.4826 * float(np.median(gap[own])) if usual is None else usual
+        # What the surface does not reach yet is no outlier: it is to reach it.
+        most = _OUTLIER * max(usual, 1e-9)
+        limit[own] = np.where(feet.edge[own], max(_UNREACHED, most), most)
+        far = gap > limit
+        if far.sum() < 0.3 * own.sum():
+            weights = np.where(far, 0.0, weights)
+        else:
+            limit = gap
+    total = float(data.weights.sum())
+    square = float((data.weights * np.minimum(gap, limit) ** 2).sum())
+    return _Step(state, feet, weights, float(np.sqrt(square / total)) if total > 0.0 else np.inf, usual or 0.0)
+
+
+def left_out(form: Form, data: Data, state: State) -> int:
+    """Return the number of points that a fit does not trust."""
+    return int(((_at(form, state, data).weights == 0.0) & (data.weights > 0.0)).sum())
 
 
 def spread(form: Form, data: Data, state: State) -> tuple[FloatArray, FloatArray]:
     """Return the standard deviations of the shape parameters, and the residual's, from the last normal equations."""
-    feet = _feet(form, state, data)
-    weights = _trusted(feet, data)
-    made = _made(form, state, feet, data, weights, 1e-4, free=True)
+    here = _at(form, state, data)
+    feet, weights = here.feet, here.weights
+    made = _made(form, here, data, 1e-4, free=True)
     count = int((weights > 0.0).sum())
     freedom = max(count - len(state.q) - len(state.theta), 1)
     variance = float((weights * (feet.away**2).sum(axis=1)).sum()) / freedom
@@ -142,48 +215,36 @@ def spread(form: Form, data: Data, state: State) -> tuple[FloatArray, FloatArray
     return np.sqrt(np.maximum(np.diag(covariance), 0.0)), np.array(np.sqrt(variance))
 
 
-def _rms(feet: Feet, weights: FloatArray) -> float:
-    total = float(weights.sum())
-    return float(np.sqrt((weights * (feet.away**2).sum(axis=1)).sum() / total)) if total > 0.0 else np.inf
-
-
-def _feet(form: Form, state: State, data: Data) -> Feet:
-    surfaces = form.surfaces(state.q, state.theta)
-    finder = Finder(surfaces)
-    feet = finder.feet(data.points)
-    return _on_edges(form, finder, feet, data) if data.border.any() else feet
-
-
-def _on_edges(form: Form, finder: Finder, feet: Feet, data: Data) -> Feet:
-    """Return the feet with those of border points on the outer edges of the patches."""
-    t = np.linspace(0.0, 1.0, 301)
-    one, zero = np.ones_like(t), np.zeros_like(t)
-    nu, nv = form.grid
-    sides = [(a * nv, t, zero) for a in range(nu)] + [(a * nv + nv - 1, t, one) for a in range(nu)]
-    sides += [(b, zero, t) for b in range(nv)] + [((nu - 1) * nv + b, one, t) for b in range(nv)]
-    cloud = np.concatenate([finder.surfaces[k](u, v) for k, u, v in sides])
-    owner = np.concatenate([np.full(len(t), k) for k, _, _ in sides])
-    us, vs = np.concatenate([u for _, u, _ in sides]), np.concatenate([v for _, _, v in sides])
+def _feet(form: Form, state: State, data: Data, near: Feet | None = None) -> Feet:
+    """Return the feet of the points, found anew or followed from where they were; of border points on the edges."""
+    sheet = Sheet(form, state.q, state.theta)
+    if near is None:
+        near = Finder(form.surfaces(state.q, state.theta)).feet(data.points)
+        if not data.border.any():
+            return near
+    at = sheet.together(near.which, near.u, near.v)
+    low, high = np.zeros_like(at), np.broadcast_to(np.array(form.grid, dtype=np.float64), at.shape).copy()
     on = data.border
-    near = np.asarray(tree_of(cloud).query(data.points[on])[1])
-    which, u, v = feet.which.copy(), feet.u.copy(), feet.v.copy()
-    which[on], u[on], v[on] = owner[near], us[near], vs[near]
-    found = finder.at(data.points, which, u, v)
-    return replace(found, edge=found.edge | on)
+    if on.any():
+        at[on], low[on], high[on] = _sides(form, sheet, data.points[on])
+    at = sheet.followed(data.points, at, low, high)
+    found = sheet.feet(data.points, at)
+    return replace(found, edge=found.edge | on) if on.any() else found
 
 
-def _trusted(feet: Feet, data: Data) -> FloatArray:
-    """Return the weights, without points that lie far beyond what the others' distances let expect."""
-    if not data.robust:
-        return data.weights
-    gap = np.linalg.norm(feet.away, axis=1)
-    usual = 1.4826 * float(np.median(gap))
-    # What the surface does not reach yet is no outlier: it is to reach it.
-    far = gap > np.where(feet.edge, np.maximum(_UNREACHED, _OUTLIER * usual), _OUTLIER * max(usual, 1e-9))
-    return np.where(far, 0.0, data.weights) if 0 < far.sum() < 0.3 * len(gap) else data.weights
+def _sides(form: Form, sheet: Sheet, points: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Return parameters (n, 2) on the outer edges near to points (n, 3), and the ends of the edge that they lie on."""
+    nu, nv = form.grid
+    ends = np.array([[[0, 0], [nu, 0]], [[0, nv], [nu, nv]], [[0, 0], [0, nv]], [[nu, 0], [nu, nv]]], dtype=np.float64)
+    t = np.linspace(0.0, 1.0, _EDGE)[:, None]
+    cloud = np.concatenate([(1.0 - t) * low + t * high for low, high in ends])
+    nearest = np.asarray(tree_of(sheet.jet(cloud, 0)[0, 0]).query(points)[1])
+    side = ends[nearest // _EDGE]
+    return cloud[nearest], side[:, 0], side[:, 1]
 
 
-def _made(form: Form, state: State, feet: Feet, data: Data, weights: FloatArray, slide: float, free: bool) -> System:
+def _made(form: Form, here: _Step, data: Data, slide: float, free: bool) -> System:
+    state, feet, weights, rms = here.state, here.feet, here.weights, here.rms
     normal = feet.normal
     along = normal[:, :, None] * normal[:, None, :]
     # Where the distance is not along the normal, the foot may slide along the border alone.
@@ -193,14 +254,15 @@ def _made(form: Form, state: State, feet: Feet, data: Data, weights: FloatArray,
         along[feet.edge] = np.eye(3) - beside[:, :, None] * beside[:, None, :]
     weight = weights[:, None, None] * (slide * np.eye(3) + (1.0 - slide) * along)
     at = np.stack([feet.u, feet.v], axis=1)
-    return system_of(form, state.q, state.theta, feet.which, at, weight, feet.away, data.smooth, free)
+    noise = float(np.mean(weights)) * rms**2 if data.robust and rms > _FINE else 0.0
+    return system_of(form, state.q, state.theta, feet.which, at, weight, feet.away, data.smooth, free, noise)
 
 
 def _stepped(form: Form, here: _Step, data: Data, slide: float, free: bool, but: int | None) -> State:
     """Return the state one step on; ``slide`` is how much points may not slide along the surface meanwhile."""
     state = here.state
     free = free and len(state.theta) > 0
-    made = _made(form, state, here.feet, data, here.weights, slide, free)
+    made = _made(form, here, data, slide, free)
     theta = state.theta
     shift = np.zeros(len(theta))
     low = np.array([one.low + (1e-6 if one.open[0] else 0.0) for one in form.ranges.values()])
