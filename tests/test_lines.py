@@ -52,6 +52,20 @@ def test_a_net_keeps_its_spacing_and_fills_the_surface():
         assert len(places) >= 5
 
 
+@pytest.mark.parametrize("name", ["car_boot", "wavy"])
+def test_lines_of_a_net_do_not_run_beside_each_other_nor_beside_themselves(name):
+    found = lines(quintrig.load(EXAMPLES / f"{name}.toml"), "curvature")  # some turn back around an umbilic
+    spacing = np.linalg.norm(np.ptp(np.concatenate([line.points for line in found]), axis=0)) / 12
+    for i, one in enumerate(found):
+        for other in found.lines[:i]:
+            if one.label == other.label:
+                apart = np.linalg.norm(one.points[:, None] - other.points[None], axis=2)
+                assert (apart.min(axis=1) < 0.4 * spacing).mean() < 0.7  # ends may meet
+        back = (np.abs(one.s[:, None] - one.s[None]) > 2 * spacing) & (not one.closed)
+        apart = np.linalg.norm(one.points[:, None] - one.points[None], axis=2)
+        assert apart[back].min(initial=np.inf) > 0.4 * spacing
+
+
 def test_parabolic_circles_of_a_torus():
     found = lines(TORUS, "parabolic")
     assert len(found) == 2

@@ -9,7 +9,7 @@ from quintrig.geometry.nurbs import nurbs
 from quintrig.interrogation.dop853 import coefficients
 from quintrig.interrogation.flows import GEODESICS, PRINCIPAL_DIRECTIONS
 from quintrig.interrogation.line_jit import AIM, ENDED, NO_DIRECTION, POINT, TOWARDS
-from quintrig.interrogation.near import Near, thinned
+from quintrig.interrogation.near import Near, clear_of_itself, thinned
 from quintrig.interrogation.trace import Seed, Tracer
 
 RNG = np.random.default_rng(1448)
@@ -91,6 +91,15 @@ def test_points_keep_others_away_as_all_distances_say(scale):
         if all(np.linalg.norm(point - other) >= scale for other in kept):
             kept.append(point)
     np.testing.assert_array_equal(points[thinned(points, scale)], kept)
+
+
+def test_a_hairpin_is_cut_where_it_comes_back_beside_itself():
+    t = np.linspace(0.0, 5.0, 101)
+    there, back = np.stack([t, 0 * t, 0 * t], axis=1), np.stack([5.0 - t, 0.3 + 0 * t, 0 * t], axis=1)
+    clear = clear_of_itself(np.concatenate([there, back]), 0.5, 1.5)
+    assert clear[:101].all()
+    assert not clear[101 + 20 :].any()  # near the turn it is near itself, as every turn is
+    assert clear_of_itself(np.concatenate([there, back + np.array([0, 0.3, 0])]), 0.5, 1.5).all()
 
 
 def test_a_geodesic_of_given_length_ends_on_the_edge_or_before_it():

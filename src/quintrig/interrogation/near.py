@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from quintrig.interrogation.near_jit import free, keep, thin
+from quintrig.interrogation.near_jit import free, keep, lay, thin
 from quintrig.support.arrays import BoolArray, FloatArray
 from quintrig.support.memory import address
 
@@ -46,6 +46,15 @@ def thinned(points: FloatArray, reach: float) -> BoolArray:
     """Return which points (n, 3) are finite and have none before them within ``reach`` (length¹) that is in too."""
     points, found = np.ascontiguousarray(points), np.empty(len(points), dtype=np.int8)
     heads, links = np.full(_CHAINS, -1, dtype=np.int64), np.empty(len(points), dtype=np.int64)
+    thin(address(points), len(points), reach, address(heads), _CHAINS - 1, address(links), reach, address(found))
+    return found.astype(np.bool_)
+
+
+def clear_of_itself(points: FloatArray, reach: float, lag: float) -> BoolArray:
+    """Return which points (n, 3) of a line have none of it within ``reach`` that is in and lies ``lag`` behind."""
+    points, found = np.ascontiguousarray(points), np.empty(len(points), dtype=np.int8)
+    arc = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
+    heads, links = np.full(_CHAINS, -1, dtype=np.int64), np.empty(len(points), dtype=np.int64)
     table = reach, address(heads), _CHAINS - 1, address(links)
-    thin(address(points), len(points), *table, reach, address(found))
+    lay(address(points), address(arc), len(points), *table, reach, lag, address(found))
     return found.astype(np.bool_)

@@ -72,3 +72,29 @@ def thin(points: int, count: int, edge: float, heads: int, mask: int, links: int
         found[k] = 1 if fits else 0
         if fits:
             _kept(points, k, edge, heads, mask, links)
+
+
+@loop
+def lay(
+    points: int,
+    arc: int,
+    count: int,
+    edge: float,
+    heads: int,
+    mask: int,
+    links: int,
+    reach: float,
+    lag: float,
+    out: int,
+) -> None:
+    """Write 1 for every point of a line that has none of those for which it is written within ``reach`` (length¹).
+
+    ``arc`` is the arc length; only what lies ``lag`` (length¹) behind is looked at.
+    """
+    s, found, behind = floats_at(arc), codes_at(out), 0
+    for k in range(count):
+        while behind < k and s[behind] < s[k] - lag:
+            if found[behind] == 1:
+                _kept(points, behind, edge, heads, mask, links)
+            behind += 1
+        found[k] = 1 if _is_free(points + 24 * k, points, edge, heads, mask, links, reach) else 0

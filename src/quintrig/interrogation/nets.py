@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from quintrig.interrogation.follow import Curve, Place, both_ways
 from quintrig.interrogation.local import Local
-from quintrig.interrogation.near import Near, thinned
+from quintrig.interrogation.near import Near, clear_of_itself, thinned
 from quintrig.interrogation.polyline import Path
 from quintrig.interrogation.trace import Tracer
 from quintrig.support.arrays import FloatArray
@@ -19,6 +19,7 @@ from quintrig.support.progress import Progress
 
 _NEAR = 0.5  # of the spacing: nearer to another line, a line ends
 _APART = 0.9  # of the spacing: a line begins no nearer to another one
+_BACK = 3.0  # of that distance: how far behind a line may be near itself
 _WAVES = 60
 _FEW = 0.25  # of the spacing: shorter lines are left out
 
@@ -134,10 +135,15 @@ class Net:
             return uv, local.lowered(away)
 
     def _cut(self, curve: Curve) -> list[Curve]:
-        """Return the parts of a line that keep their distance from all lines before it."""
+        """Return the parts of a line that keep their distance from all lines before it, and from itself."""
         parts: list[tuple[list[Path], list[int]]] = [([], [])]
-        for path, mode in zip(curve.paths, curve.modes, strict=True):
-            free = self._near[mode].free(self._on(path), _NEAR * self.spacing)
+        points = [self._on(path) for path in curve.paths]
+        reach = _NEAR * self.spacing
+        whole = np.concatenate(points)
+        own = np.ones(len(whole), dtype=np.bool_) if curve.closed else clear_of_itself(whole, reach, _BACK * reach)
+        each = np.split(own, np.cumsum([len(part) for part in points])[:-1])
+        for path, mode, here, clear in zip(curve.paths, curve.modes, points, each, strict=True):
+            free = self._near[mode].free(here, reach) & clear
             ends = np.flatnonzero(np.diff(np.concatenate([[False], free, [False]]).astype(int)))
             for first, last in ends.reshape(-1, 2).tolist():
                 if first or not free[0]:
