@@ -20,6 +20,7 @@ from quintrig.support.progress import Progress
 _NEAR = 0.5  # of the spacing: nearer to another line, a line ends
 _APART = 0.9  # of the spacing: a line begins no nearer to another one
 _BACK = 3.0  # of that distance: how far behind a line may be near itself
+_AT_ONCE = 24  # lines, after which it is looked which places are still free
 _WAVES = 60
 _FEW = 0.25  # of the spacing: shorter lines are left out
 
@@ -61,26 +62,26 @@ class Net:
         return bool(self._near[mode].free(point[None, :], _APART * self.spacing)[0])
 
     def _add(self, places: Sequence[Place]) -> list[Curve]:
-        """Trace lines from places that are far enough from each other; return what is left of them."""
+        """Trace lines from places that are far enough from each other, some at once; return what is left of them."""
         grown: list[Curve] = []
-        if not places:
-            return grown
-        for curve in both_ways(self.tracer, self._sparse(places), self.length):
-            if not curve.paths or len(self.curves) >= self.most:
-                continue
-            for part in self._cut(curve):
-                self._near[part.modes[0]].add(np.concatenate([self._on(path) for path in part.paths]))
-                self.curves.append(part)
-                grown.append(part)
+        waiting = self._sparse(places) if places else []
+        while waiting and len(self.curves) < self.most:
+            for curve in both_ways(self.tracer, waiting[:_AT_ONCE], self.length):
+                for part in self._cut(curve)[: self.most - len(self.curves)] if curve.paths else ():
+                    self._near[part.modes[0]].add(np.concatenate([self._on(path) for path in part.paths]))
+                    self.curves.append(part)
+                    grown.append(part)
+            waiting = self._sparse(waiting[_AT_ONCE:])
         return grown
 
     def _sparse(self, places: Sequence[Place]) -> list[Place]:
-        """Return places of which no two of a family can be on lines nearer than the spacing."""
-        points = self._points([place[:2] for place in places])
+        """Return places still free, of which no two of a family can be on lines nearer than the spacing."""
+        points, apart = self._points([place[:2] for place in places]), _APART * self.spacing
         kept: list[int] = []
         for mode in self.tracer.flow.modes:
             here = np.flatnonzero([place[2] == mode for place in places])
-            kept += here[thinned(points[here], _APART * self.spacing)].tolist()
+            here = here[self._near[mode].free(points[here], apart)]
+            kept += here[thinned(points[here], apart)].tolist()
         return [places[k] for k in sorted(kept)]
 
     def _crossing(self, curves: Sequence[Curve]) -> list[Place]:
