@@ -19,7 +19,7 @@ from quintrig.scan.curvature import ScanCurvature
 from quintrig.scan.scan import Scan
 from quintrig.support.arrays import FloatArray
 
-_ROOM = 0.85  # of the axes: numbers and names stand outside
+_ROOM = 0.78  # of the axes: numbers and names stand outside
 _END_ON = 0.98  # cosine: an axis seen so has no room for numbers
 _MOST = 60_000  # points or triangles drawn
 
