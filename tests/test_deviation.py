@@ -161,10 +161,15 @@ def test_on_the_command_line(tmp_path):
     ball = quintrig.Model.from_dict({"kind": "sphere", "radius": 20, "unit": "mm"})
     quintrig.save(ball, tmp_path / "ball.toml")
     np.savetxt(tmp_path / "ball.xyz", 21 * _spiral(4000))
-    done = run("deviation", tmp_path / "ball.toml", tmp_path / "ball.xyz", "--curvature", "--json")
+    beside = ["-o", tmp_path / "k.csv", "-o", tmp_path / "k.ply"]
+    done = run("deviation", tmp_path / "ball.toml", tmp_path / "ball.xyz", "--curvature", "--json", *beside)
     gaps = json.loads(done.out)["curvature"]
     assert gaps["mean"]["mean"] == pytest.approx(1 / 20 - 1 / 21, rel=0.02)  # normals outwards: -1/21 + 1/20
     assert gaps["gaussian"]["mean"] == pytest.approx(1 / 21**2 - 1 / 20**2, rel=0.02)
+    columns = np.genfromtxt(tmp_path / "k.csv", delimiter=",", skip_header=1, names=True)
+    assert np.nanmedian(columns["mean"]) == pytest.approx(-1 / 21, rel=1e-3)
+    assert np.nanmax(np.abs(columns["mean_model"] + 1 / 20)) < 1e-12
+    assert b"property double gaussian_error" in (tmp_path / "k.ply").read_bytes()
     far = run("deviation", tmp_path / "m.toml", scan, "--unit", "km")
     assert "check the units" in far.err
     for arguments, words in (

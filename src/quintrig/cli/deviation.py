@@ -59,7 +59,10 @@ def deviation(
     face: TargetFace = None,
     patch: OnlyPatch = None,
     curvature: Annotated[
-        bool, typer.Option("--curvature", help="Compare the curvature of the scan's points with the model's too.")
+        bool,
+        typer.Option(
+            "--curvature", help="Compare the curvature of the scan's points with the model's too; in .csv and .ply."
+        ),
     ] = False,
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON: min, max, mean, rms, percentiles, ...")] = False,
     output: Annotated[
@@ -97,14 +100,18 @@ def deviation(
     for note in result.notes:
         session.remark(note)
     told = result.to_dict()
+    beside: dict[str, Any] = {}
     if curvature:
-        told["curvature"] = _gaps(result, aim, source)
+        from quintrig.scan.beside_design import curvature_gaps
+
+        beside = _beside(result, aim, source)
+        told["curvature"] = curvature_gaps(beside, result.unit)
     if as_json:
         session.emit(json.dumps(told, ensure_ascii=False, indent=1))
     else:
         _tell(result, told)
     for file in output or []:
-        write(result, file, loaded.name, model, target)
+        write(result, file, loaded.name, model, target, beside=beside, told=told)
 
 
 def read_target(target: Path, unit: str, face: list[int] | None = None) -> "Scan":
@@ -114,8 +121,18 @@ def read_target(target: Path, unit: str, face: list[int] | None = None) -> "Scan
     return open_target(target, unit, face)
 
 
-def write(result: "Deviation", file: Path, title: str, *sources: Path) -> None:
-    """Write a deviation as a picture, CSV, PLY or JSON, by the ending of the file, and say so."""
+def write(
+    result: "Deviation",
+    file: Path,
+    title: str,
+    *sources: Path,
+    beside: dict[str, Any] | None = None,
+    told: dict[str, Any] | None = None,
+) -> None:
+    """Write a deviation as a picture, CSV, PLY or JSON, by the ending of the file, and say so.
+
+    ``beside`` are more columns of a CSV or PLY, ``told`` what stands in a JSON.
+    """
     from quintrig.support.files import refuse_loss
 
     suffix = file.suffix.lower()
@@ -127,23 +144,23 @@ def write(result: "Deviation", file: Path, title: str, *sources: Path) -> None:
 
         session.wrote(save(deviation_picture(result, title), file), replaced)
     elif suffix == ".json":
-        session.deliver(json.dumps(result.to_dict(), ensure_ascii=False, indent=1) + "\n", file, *sources)
+        session.deliver(json.dumps(told or result.to_dict(), ensure_ascii=False, indent=1) + "\n", file, *sources)
     else:
         from quintrig.exchange.deviation_files import write_deviation
 
-        session.wrote(write_deviation(result, file), replaced)
+        session.wrote(write_deviation(result, file, beside), replaced)
 
 
-def _gaps(result: "Deviation", aim: Any, source: str) -> dict[str, Any]:
+def _beside(result: "Deviation", aim: Any, source: str) -> dict[str, Any]:
     from dataclasses import replace
 
-    from quintrig.scan.beside_design import curvature_gaps
+    from quintrig.scan.beside_design import curvature_columns
     from quintrig.scan.curvature import scan_curvature
 
     if source == "model":
         raise ValueError("--curvature: compares points of the target, not of the model; leave out --from model")
     normals = aim.normals if result.motion is None else aim.moved(result.motion.matrix).normals
-    return curvature_gaps(result, scan_curvature(replace(aim, points=result.points, normals=normals)))
+    return curvature_columns(result, scan_curvature(replace(aim, points=result.points, normals=normals)))
 
 
 def _tell(result: "Deviation", told: dict[str, Any]) -> None:

@@ -1,6 +1,7 @@
 """Deviations as CSV, with a point a line, and as PLY with colours."""
 
 import io
+from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
@@ -14,30 +15,39 @@ DEVIATION_SUFFIXES = (".csv", ".ply")
 """Endings of the files that a deviation is written to, pictures and JSON aside."""
 
 
-def write_deviation(result: Deviation, path: Path) -> Path:
-    """Write points, distances and places on the model to a .csv or .ply; QuintrigError where it cannot be written."""
-    return write_whole(path, _ply(result) if path.suffix.lower() == ".ply" else _csv(result))
+def write_deviation(result: Deviation, path: Path, beside: Mapping[str, FloatArray] | None = None) -> Path:
+    """Write points, distances and places on the model to a .csv or .ply; QuintrigError where it cannot be written.
+
+    ``beside`` are more numbers of each point, (n,) by name.
+    """
+    write = _ply if path.suffix.lower() == ".ply" else _csv
+    return write_whole(path, write(result, beside or {}))
 
 
-def _csv(result: Deviation) -> str:
+def _csv(result: Deviation, beside: Mapping[str, FloatArray]) -> str:
     stream = io.StringIO()
     unit = f", lengths in {result.unit}" if result.unit else ""
     stream.write(f"# distance {SIGN}{unit}; edge 1: foot on a border, not orthogonal\n")
     named = len(result.names) > 1
     if named:
         stream.write("# patches: " + ", ".join(f"{i} {name}" for i, name in enumerate(result.names)) + "\n")
-    stream.write("x,y,z,distance,u,v,foot_x,foot_y,foot_z,edge" + (",patch" if named else "") + "\n")
+    stream.write(
+        "x,y,z,distance,u,v,foot_x,foot_y,foot_z,edge"
+        + (",patch" if named else "")
+        + "".join(f",{name}" for name in beside)
+        + "\n"
+    )
     columns = [result.points, result.distance, result.u, result.v, result.foot, result.edge]
-    rows = np.column_stack([*columns, *([result.patch] if named else [])])
-    np.savetxt(stream, rows, delimiter=",", fmt=["%.17g"] * 9 + ["%d"] * (1 + named))
+    rows = np.column_stack([*columns, *([result.patch] if named else []), *beside.values()])
+    np.savetxt(stream, rows, delimiter=",", fmt=["%.17g"] * 9 + ["%d"] * (1 + named) + ["%.17g"] * len(beside))
     return stream.getvalue()
 
 
-def _ply(result: Deviation) -> bytes:
+def _ply(result: Deviation, beside: Mapping[str, FloatArray]) -> bytes:
     reach = float(np.percentile(np.abs(result.distance), 99.0)) or 1.0
     return ply_of(
         result.points,
-        {"distance": result.distance},
+        {"distance": result.distance, **beside},
         diverging(result.distance / reach),
         (f"distance {SIGN}", f"unit {result.unit or 'none stated'}", f"colours show distance, ±{reach:.4g}"),
     )

@@ -19,7 +19,7 @@ from quintrig.scan.curvature import ScanCurvature
 from quintrig.scan.scan import Scan
 from quintrig.support.arrays import FloatArray
 
-_ROOM = 0.85  # of the axes: numbers and names stand outside
+_ROOM = 0.78  # of the axes: numbers and names stand outside
 _END_ON = 0.98  # cosine: an axis seen so has no room for numbers
 _MOST = 60_000  # points or triangles drawn
 
@@ -59,12 +59,18 @@ def scan_picture(
             if abs(towards) > _END_ON:
                 getattr(axes, f"set_{axis}ticks")([])
                 continue
-            getattr(axes, f"{axis}axis").set_major_locator(MaxNLocator(4))
+            getattr(axes, f"{axis}axis").set_major_locator(MaxNLocator(_intervals(scan, "xyz".index(axis))))
             getattr(axes, f"set_{axis}label")(f"{axis} ({scan.unit})" if scan.unit else axis, fontsize=7)
     if title and style.title:
         drawn: Any = figure
         drawn.suptitle(title, fontsize=11)
     return style.finish(figure)
+
+
+def _intervals(scan: Scan, axis: int) -> int:
+    """Return how many intervals between its numbers an axis has room for: four on the longest."""
+    spans = np.ptp(scan.points, axis=0)
+    return max(1, min(4, round(8.0 * float(spans[axis] / max(float(spans.max()), np.finfo(float).tiny)))))
 
 
 def _coloured(figure: Any, axes: Any, found: ScanCurvature, q: Quantity, style: Style) -> FloatArray:
