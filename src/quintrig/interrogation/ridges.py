@@ -63,9 +63,9 @@ def _ends(surface: Surface, paths: list[Path], kept: list[BoolArray], scalar: Sc
     if not pairs:
         return []
     first = np.concatenate([use[changes(use)] for use in kept])[:, None]
-    start, end = np.stack(pairs, axis=1)
-    good: FloatArray = np.where(first, start, end)
-    bad: FloatArray = np.where(first, end, start)
+    both = np.stack(pairs)
+    start, end = both[:, 0], both[:, 1]
+    good, bad = np.where(first, start, end), np.where(first, end, start)
     for _ in range(_HALVINGS):
         middle = between(scalar, good, bad, 0.0)
         still = _extreme(surface, middle, scalar, family)[:, None]
