@@ -12,7 +12,7 @@ import platform  # noqa: E402
 from importlib.metadata import version  # noqa: E402
 from pathlib import Path  # noqa: E402
 
-from bench import accuracy, integrals, kept, peers, proofs, scans, speed, startup, sweeps  # noqa: E402
+from bench import accuracy, integrals, kept, pages, peers, proofs, scans, speed, startup, sweeps  # noqa: E402
 
 PARTS = {
     "accuracy": accuracy,
@@ -23,6 +23,7 @@ PARTS = {
     "sweeps": sweeps,
     "scans": scans,
     "startup": startup,
+    "pages": pages,
 }
 
 

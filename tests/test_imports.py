@@ -126,6 +126,17 @@ def test_analysis_loads_only_the_compiler():
     assert loaded_by(code) <= {"numba", "scipy"}  # Numba looks for SciPy
 
 
+def test_a_table_on_the_screen_needs_nothing_that_draws_and_a_report_of_a_model_nothing_of_scans():
+    lid = ROOT.parents[1] / "examples" / "car_boot.toml"
+    compare = (
+        "import io, sys\nfrom quintrig.cli.app import build\nfrom quintrig.cli.ending import run\n"
+        f"kept, sys.stdout = sys.stdout, io.StringIO()\nassert run(build, ['compare', {str(lid)!r}]) == 0\n"
+        "sys.stdout = kept"
+    )
+    assert not loaded_by(compare) & {"matplotlib", "jinja2"}
+    assert not loaded_by("import quintrig.report") & {"numba", "scipy", "trimesh"}
+
+
 def test_every_public_name_can_be_had_and_is_no_module():
     import quintrig
 

@@ -27,7 +27,7 @@ from quintrig.quantities.classify import Thresholds
 from quintrig.quantities.table import QUANTITIES
 from quintrig.report import kinds, pictures, write, write_report
 from quintrig.report.deviation import Beside
-from quintrig.report.facts import gather, standard
+from quintrig.report.facts import Facts, standard
 from quintrig.report.findings import findings
 from quintrig.report.mathml import mathml
 from quintrig.report.pictures import Image
@@ -86,7 +86,7 @@ def squeezed(text):
 @pytest.fixture
 def undrawn(monkeypatch):
     """Leave out the pictures, and the last digits of integrals that do not converge: both take most of the time."""
-    monkeypatch.setattr(write, "render", lambda picture, formats, style: BLANK)
+    monkeypatch.setattr(write, "drawn", lambda draw, name, formats, style: BLANK)
     monkeypatch.setattr(summary, "integrals", lambda surface, tolerance: integrals(surface, 1e-6, 16))
 
 
@@ -361,11 +361,11 @@ def test_a_page_that_cannot_be_written_says_so_and_leaves_nothing(undrawn, tmp_p
 
 
 def test_a_run_that_fails_keeps_the_page_that_was_there(monkeypatch, tmp_path):
-    def fail(picture, formats, style):
+    def fail(draw, name, formats, style):
         raise MemoryError
 
     (tmp_path / "index.html").write_text("before")
-    monkeypatch.setattr(write, "render", fail)
+    monkeypatch.setattr(write, "drawn", fail)
     with pytest.raises(MemoryError):
         write_report(load(EXAMPLES / "sphere.toml"), tmp_path, grid=5)
     assert [path.name for path in tmp_path.iterdir()] == ["index.html"]
@@ -456,8 +456,8 @@ def test_figures_are_files_of_the_formats_asked_for_and_points_are_tables(tmp_pa
     files = {form: form.encode() for form in ("png", "pdf")}
     monkeypatch.setattr(
         write,
-        "render",
-        lambda picture, formats, style: replace(BLANK, files={f: files[f] for f in formats}, name=picture.name),
+        "drawn",
+        lambda draw, name, formats, style: replace(BLANK, files={f: files[f] for f in formats}, name=name),
     )
     monkeypatch.setattr(summary, "integrals", lambda surface, tolerance: integrals(surface, 1e-6, 16))
     write.write_report(
@@ -476,7 +476,7 @@ def test_figures_are_files_of_the_formats_asked_for_and_points_are_tables(tmp_pa
 @pytest.mark.parametrize(("shape", "told"), [([1.0, 1.0, 0.0, 0.0], True), ([0.9, 1.0, 1.0, 1.0], False)])
 def test_sets_of_the_thesis_are_told_of_only_where_they_bend_the_surface_less(shape, told, undrawn, tmp_path):
     boot = load(EXAMPLES / "car_boot.toml").with_shape(shape)
-    facts = gather(boot.patch(), "mm", Thresholds(), 9, True, lambda what: None)
+    facts = Facts(boot.patch(), "mm", Thresholds(), 9, True)
     own = facts.summary.integrals.bending_energy.value
     best = min(one.summary.integrals.bending_energy.value for one in standard(facts))
     assert (own > 1.001 * best) == told

@@ -8,11 +8,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quintrig.basis import exact_forms
 from quintrig.basis.functions import MOVING, Functions, Still
 from quintrig.basis.rational import TangentMap, elevated
 from quintrig.support import taylor
 from quintrig.support.arrays import FloatArray, parameter, whole
+
+if TYPE_CHECKING:
+    from quintrig.basis import exact_forms
 
 if TYPE_CHECKING:
     from quintrig.basis.tape import Tape
@@ -70,8 +72,10 @@ class Bernstein(Functions):
         """Return the coefficients (n, size) in ``degree``; the common weights themselves for the constant."""
         return to.weights(degree)[:, None] if self.size == 1 else elevated(np.eye(self.size), degree)
 
-    def exact(self) -> tuple[exact_forms.Span, ...]:
+    def exact(self) -> "tuple[exact_forms.Span, ...]":
         """Return the functions span by span as forms with exact coefficients."""
+        from quintrig.basis import exact_forms  # a proof asks, no small command
+
         return exact_forms.bernstein(self.degree)
 
 

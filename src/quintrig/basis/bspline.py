@@ -1,14 +1,17 @@
 """The B-spline functions: rows and blend of surfaces that come from CAD files."""
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quintrig.basis import exact_forms
 from quintrig.basis.functions import Functions
 from quintrig.basis.rational import HIGHEST_DEGREE, NotRationalError, RationalFunctions, TangentMap, clamped_knots
 from quintrig.support.arrays import FloatArray, frozen, parameter
+
+if TYPE_CHECKING:
+    from quintrig.basis import exact_forms
 
 CLOSEST = 1e-14
 """Least distance of two knots that are not equal, the domain being 1: nearer ones leave a parameter no digits."""
@@ -93,8 +96,10 @@ class BSpline(Functions):
         """Return the functions themselves, which are polynomials span by span."""
         return RationalFunctions(self.knots, self.degree, TangentMap(), np.ones(self.size), np.eye(self.size))
 
-    def exact(self) -> tuple[exact_forms.Span, ...]:
+    def exact(self) -> "tuple[exact_forms.Span, ...]":
         """Return the functions span by span as forms with exact coefficients."""
+        from quintrig.basis import exact_forms  # a proof asks, no small command
+
         return exact_forms.bspline(self.knots, self.degree)
 
     def rational_degree(self) -> int:

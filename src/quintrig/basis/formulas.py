@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quintrig.basis.exact_forms import Span
 from quintrig.basis.expression import series, values_of
 from quintrig.basis.functions import MOVING, Functions, Still
 from quintrig.basis.grammar import RESERVED, Node, parse
@@ -17,6 +16,7 @@ from quintrig.support import taylor
 from quintrig.support.arrays import FloatArray, number, parameter
 
 if TYPE_CHECKING:
+    from quintrig.basis.exact_forms import Span
     from quintrig.basis.tape import Tape
 
 MOST_FUNCTIONS, MOST_PARAMETERS = 64, 24
@@ -278,7 +278,7 @@ class Formulas(Functions):
 
         return formula_rational.numerators(self.basis.trees, self.parameters, to, degree)
 
-    def exact(self) -> tuple[Span, ...]:
+    def exact(self) -> "tuple[Span, ...]":
         """Return the functions as forms with exact coefficients; NotRationalError where they are none."""
         from quintrig.basis import formula_exact
 

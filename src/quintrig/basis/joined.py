@@ -1,14 +1,17 @@
 """Several families one after the other."""
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quintrig.basis import exact_forms
 from quintrig.basis.functions import MOVING, Functions, Still
 from quintrig.basis.rational import RationalFunctions, assembled
 from quintrig.support.arrays import FloatArray
+
+if TYPE_CHECKING:
+    from quintrig.basis import exact_forms
 
 
 @dataclass(frozen=True)
@@ -68,6 +71,8 @@ class Joined(Functions):
         """Return the exact rational form over common weights; NotRationalError where the parts have none in common."""
         return assembled(self.parts)
 
-    def exact(self) -> tuple[exact_forms.Span, ...]:
+    def exact(self) -> "tuple[exact_forms.Span, ...]":
         """Return the functions span by span as exact forms; NotRationalError without a common one."""
+        from quintrig.basis import exact_forms  # a proof asks, no small command
+
         return exact_forms.joined([part.exact() for part in self.parts])

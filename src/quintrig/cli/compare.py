@@ -19,7 +19,8 @@ if TYPE_CHECKING:
     from quintrig.figure.style import Style
     from quintrig.model.model import Model
     from quintrig.model.patch import NamedCurve, Patch
-    from quintrig.report.shape_effect_page import Section
+    from quintrig.report.shape_effect_page import Picture
+    from quintrig.shaping.effect import Effect
     from quintrig.shaping.shape_effect import Variant
 
 _MOST = 12
@@ -84,16 +85,12 @@ def compare(
     several patches, of its seams too: what follows the patch by [[join]] tables is carried along. Without --patch each
     patch, or each curve, is varied in turn. In a folder the pictures and the tables are files too.
     """
-    from quintrig.figure.plot import read_quantities
-    from quintrig.figure.save import formats_of
-    from quintrig.figure.style import STANDARD
+    from quintrig.quantities.drawn import read_quantities
 
     alone = out is not None and out.suffix.lower() == ".html"
-    formats = formats_of((("" if alone else "png") if figures is None else figures).split(","))
-    keys = read_quantities(session.words(quantities))
-    look = None if out is None else _Look(formats, style or STANDARD, tuple(keys))
+    keys = tuple(read_quantities(session.words(quantities)))
+    look = _look(figures, alone, style, keys) if out is not None or figures is not None else None
     loaded = session.load_any(model)
-    from quintrig.report.shape_effect_page import page
     from quintrig.shaping.shape_effect import standard_shapes
     from quintrig.support.files import refuse_unwritable, write_whole
 
@@ -107,24 +104,27 @@ def compare(
     if len(given) > _MOST:
         raise ValueError(f"--shape: expected at most {_MOST} sets, got {len(given)}")
     parts = _varied(loaded, patch, given)
-    if look is not None and len(parts) > _DRAWN:
-        look = None
+    drawn = look if out is not None and len(parts) <= _DRAWN else None
+    if out is not None and len(parts) > _DRAWN:
         session.remark(f"no pictures of more than {_DRAWN} parts: name one of the {len(parts)} with --patch for those")
-    sections: list[Section] = []
+    effects: list[tuple[Effect, tuple[Picture, ...]]] = []
     with session.progress() as progress:
         for index, one in enumerate(parts):
             fit = [numbers for numbers in given if len(parts) == 1 or len(numbers) == len(one.shape)]
             if len(parts) > 1:
                 progress(one.name, index, len(parts))
             told = progress if len(parts) == 1 else _quietly
-            sections.append(_section(loaded, one, fit or standard_shapes(one), look, told))
+            effects.append(_effect(loaded, one, fit or standard_shapes(one), drawn, told))
     title = f"{loaded.name}: effect of the shape parameters"
-    tables = _tables(sections, loaded.name, title)
-    if out is None:
+    tables = _tables([effect for effect, _ in effects], loaded.name, title)
+    if out is None or look is None:  # which a page always has
         for table in tables.values():
             print_table(table)
         return
-    for path, content in _files(out, page(sections, title, style or STANDARD), sections, tables).items():
+    from quintrig.report.shape_effect_page import Section, page
+
+    sections = [Section(effect, pictures) for effect, pictures in effects]
+    for path, content in _files(out, page(sections, title, look.style), effects, tables).items():
         write_whole(path, content)
     session.done(out if alone else out / "index.html")
 
@@ -147,21 +147,29 @@ def _varied(model: "Model", name: str | None, given: "Sequence[Sequence[float]]"
     return fitting
 
 
+def _look(figures: str | None, alone: bool, style: "Style | None", keys: "tuple[str | None, ...]") -> _Look:
+    from quintrig.figure.save import formats_of
+    from quintrig.figure.style import STANDARD
+
+    formats = formats_of((("" if alone else "png") if figures is None else figures).split(","))
+    return _Look(formats, style or STANDARD, keys)
+
+
 def _quietly(what: str, done: int, total: int) -> None:
     """Tell nothing of the steps of one part of many."""
 
 
-def _section(
+def _effect(
     model: "Model",
     part: "Patch | NamedCurve",
     shapes: "Sequence[Sequence[float]]",
     look: "_Look | None",
     progress: "Callable[[str, int, int], None]",
-) -> "Section":
-    """Return what other sets of shape parameters do to a patch or a curve."""
+) -> "tuple[Effect, tuple[Picture, ...]]":
+    """Return what other sets of shape parameters do to a patch or a curve, and its pictures where they have a look."""
     from quintrig.model.patch import NamedCurve
-    from quintrig.report.shape_effect_page import Section, curve_pictures, pictures
     from quintrig.shaping.curve_effect import curve_measures, curve_variant
+    from quintrig.shaping.effect import Effect
     from quintrig.shaping.seam_effect import seam_effect
     from quintrig.shaping.shape_effect import beside_own, intensities, variant
 
@@ -169,42 +177,52 @@ def _section(
     title = f"{model.name}: {name}" if many else model.name
     if isinstance(part, NamedCurve):
         bent = [curve_variant(one, own=index == 0) for index, one in enumerate(beside_own(part, shapes))]
-        drawn = curve_pictures(bent, model.unit, title, look.formats, look.style) if look else ()
-        return Section(name, bent, curve_measures(bent, model.unit), None, drawn)
+        effect = Effect(name, bent, curve_measures(bent, model.unit))
+        if look is None:
+            return effect, ()
+        from quintrig.report.shape_effect_page import curve_pictures
+
+        return effect, curve_pictures(bent, model.unit, title, look.formats, look.style)
     sets = beside_own(part, shapes)
     found: list[Variant] = []
     for index, changed in enumerate(sets):
         progress(f"shape parameters {index + 1} of {len(sets)}", index, len(sets))
         found.append(variant(changed, model.unit, own=index == 0))
     seams = seam_effect(model, name, sets, [v.label for v in found]) if len(model.patches) > 1 else None
-    drawn = pictures(found, look.keys, title, progress, look.formats, look.style) if look else ()
-    return Section(name, found, intensities(found), seams, drawn)
+    effect = Effect(name, found, intensities(found), seams)
+    if look is None:
+        return effect, ()
+    from quintrig.report.shape_effect_page import pictures
+
+    return effect, pictures(found, look.keys, title, progress, look.formats, look.style)
 
 
-def _tables(sections: "Sequence[Section]", name: str, title: str) -> "dict[str, Table]":
+def _tables(effects: "Sequence[Effect]", name: str, title: str) -> "dict[str, Table]":
     """Return the tables of intensities and of seams by their names: those of several parts as one."""
     from quintrig.analysis.table import stacked
 
-    found = {"intensities": [(one.name, one.table) for one in sections]}
-    if sections[0].seams is not None:
-        found["seams"] = [(one.name, one.seams) for one in sections if one.seams is not None]
-    if len(sections) > 1:
+    found = {"intensities": [(one.name, one.table) for one in effects]}
+    if effects[0].seams is not None:
+        found["seams"] = [(one.name, one.seams) for one in effects if one.seams is not None]
+    if len(effects) > 1:
         return {key: stacked(some, title if key == "intensities" else f"{name}: {key}") for key, some in found.items()}
     return {key: some[0][1] if key == "seams" else replace(some[0][1], title=title) for key, some in found.items()}
 
 
-def _files(out: Path, page: str, sections: "Sequence[Section]", tables: "dict[str, Table]") -> dict[Path, str | bytes]:
+def _files(
+    out: Path, page: str, effects: "Sequence[tuple[Effect, tuple[Picture, ...]]]", tables: "dict[str, Table]"
+) -> dict[Path, str | bytes]:
     """Return the page, and in a folder, or where pictures are asked for as files, those and the tables as files too."""
     from quintrig.exchange.tables import TABLE_FORMATS, WRITERS
 
     alone = out.suffix.lower() == ".html"
     result: dict[Path, str | bytes] = {out if alone else out / "index.html": page}
-    if alone and not any(picture.files for one in sections for picture in one.pictures):
+    if alone and not any(picture.files for _, pictures in effects for picture in pictures):
         return result
     folder = out.parent / "figures" if alone else out
-    for number, one in enumerate(sections, 1):
-        start = f"{number}-{_plain(one.name)}-" if len(sections) > 1 else ""
-        for picture in one.pictures:
+    for number, (one, pictures) in enumerate(effects, 1):
+        start = f"{number}-{_plain(one.name)}-" if len(effects) > 1 else ""
+        for picture in pictures:
             result |= {folder / f"{start}{picture.name}.{form}": data for form, data in picture.files.items()}
     folder = out.parent / "tables" if alone else out
     for name, table in tables.items():

@@ -94,13 +94,17 @@ def progress() -> "Generator[Callable[[str, int, int], None]]":
         yield _log()
         return
     columns = (BarColumn(bar_width=24), MofNCompleteColumn(), TimeElapsedColumn(), TextColumn("{task.description}"))
-    with Progress(*columns, console=console, transient=True) as bar:
-        task = bar.add_task("", total=None)
+    bar = Progress(*columns, console=console, transient=True)
+    task = bar.add_task("", total=None)
 
-        def show(what: str, done: int, total: int) -> None:
-            bar.update(task, description=what, completed=done, total=total)
+    def show(what: str, done: int, total: int) -> None:
+        bar.start()  # with the first word, not before: a bar is a thread, with which no process may be copied
+        bar.update(task, description=what, completed=done, total=total)
 
+    try:
         yield show
+    finally:
+        bar.stop()
 
 
 def _log() -> "Callable[[str, int, int], None]":

@@ -78,9 +78,12 @@ def with_style(command: Callable[..., None]) -> Callable[..., None]:
     return styled
 
 
-def _style(style: str, **given: Any) -> "Style":
-    from quintrig.figure.plot import read_quantities
+def _style(style: str, **given: Any) -> "Style | None":
+    """Return the style that is asked for, None where nothing is: then matplotlib is not imported for it."""
+    if style == "standard" and not any(value is not None for value in given.values()):
+        return None
     from quintrig.figure.style import changed, style_named
+    from quintrig.quantities.drawn import read_quantities
 
     words = session.words(given.pop("quantities", None))
     read: dict[str, Callable[[Any], Any]] = {

@@ -11,7 +11,6 @@ import re
 from collections.abc import Callable
 
 from quintrig.analysis.table import Table
-from quintrig.exchange.latex import to_latex
 from quintrig.support.csv_rows import guarded
 
 _WIDEST = 8
@@ -64,11 +63,17 @@ def to_markdown(table: Table) -> str:
     return "\n".join(lines) + "\n"
 
 
+def _latex(table: Table) -> str:
+    from quintrig.exchange.latex import to_latex  # read where it is asked for alone
+
+    return to_latex(table)
+
+
 WRITERS: dict[str, Callable[[Table], str]] = {
     "csv": to_csv,
     "json": to_json,
     "md": to_markdown,
-    "latex": to_latex,
+    "latex": _latex,
 }
 """Writer by format."""
 

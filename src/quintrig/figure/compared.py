@@ -36,6 +36,8 @@ from quintrig.geometry.surface import Surface
 from quintrig.geometry.trimmed import window
 from quintrig.quantities.classify import Thresholds
 
+_NODES = 241  # between which lines are traced on maps side by side, each about as many pixels wide
+
 
 def comparison(
     surfaces: Sequence[Surface],
@@ -110,7 +112,7 @@ def map_comparison(
     fields = map_fields(surfaces, key, thresholds=thresholds)
     stretch = common_limits(fields, style)
     levels = levels_of(style, stretch)
-    zeros = [zero_sets(surface, f) for surface, f in zip(surfaces, fields, strict=True)]
+    zeros = [zero_sets(surface, f, _NODES) for surface, f in zip(surfaces, fields, strict=True)]
     side = (width - 0.2 - 0.12 * (columns - 1)) / columns
     page = sheet(
         len(surfaces),

@@ -7,7 +7,6 @@ import numpy as np
 from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
-from scipy.spatial import ConvexHull, QhullError
 
 from quintrig.basis.functions import Functions
 from quintrig.basis.pairs import symbol
@@ -203,6 +202,8 @@ def _polygon(axes: Axes, points: FloatArray) -> None:
 
 
 def _hull(axes: Axes, points: FloatArray) -> None:
+    from scipy.spatial import ConvexHull, QhullError  # takes long to import
+
     try:
         outline = points[ConvexHull(points).vertices]
     except QhullError:  # all points on one line: the polygon is the hull

@@ -1,6 +1,6 @@
 """The picture of a deviation: the surface with the points in the colours of their distance, and a histogram."""
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import matplotlib
 import numpy as np
@@ -8,12 +8,14 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from quintrig.figure.style import STANDARD, Style
-from quintrig.scan.deviation import Deviation
+
+if TYPE_CHECKING:  # scans bring Numba and SciPy with them
+    from quintrig.scan.deviation import Deviation
 
 _MOST = 20_000  # points drawn
 
 
-def deviation_picture(result: Deviation, title: str = "", width: float = 8.0, *, style: Style = STANDARD) -> Figure:
+def deviation_picture(result: "Deviation", title: str = "", width: float = 8.0, *, style: Style = STANDARD) -> Figure:
     """Return the surfaces with the points coloured by distance, blue below and red above, beside a histogram."""
     width = style.across(width)
     figure = Figure(figsize=(width, 0.56 * width), layout="constrained")
@@ -59,7 +61,7 @@ def deviation_picture(result: Deviation, title: str = "", width: float = 8.0, *,
     return style.finish(figure)
 
 
-def _histogram(axes: Any, result: Deviation, reach: float, unit: str, cmap: str) -> None:
+def _histogram(axes: Any, result: "Deviation", reach: float, unit: str, cmap: str) -> None:
     ends = np.linspace(-1.15 * reach, 1.15 * reach, 42)
     counts, _ = np.histogram(np.clip(result.distance, ends[0], ends[-1]), ends)
     middle = 0.5 * (ends[1:] + ends[:-1])

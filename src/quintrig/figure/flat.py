@@ -74,13 +74,13 @@ def lines_note(drawn: Sequence[Zeros]) -> str:
     return zeros_note([quantity(key) for zeros in drawn for key in zeros])
 
 
-def zero_sets(surface: Surface, f: Field) -> Zeros:
-    """Return the zero lines that belong on a map, by quantity, of those that have any.
+def zero_sets(surface: Surface, f: Field, nodes: int = 481) -> Zeros:
+    """Return the zero lines that belong on a map, by quantity, of those that have any, traced between so many nodes.
 
     K = 0 and H = 0 for maps of K, H and S, their own for others with a sign.
     """
     own = (f.quantity.key,) if f.quantity.colour == "diverging" else ()
-    found = {key: tuple(zero_lines(traced(surface, key, 481))) for key in _COMPANIONS.get(f.quantity.key, own)}
+    found = {key: tuple(zero_lines(traced(surface, key, nodes))) for key in _COMPANIONS.get(f.quantity.key, own)}
     return {key: lines for key, lines in found.items() if lines}
 
 
@@ -115,8 +115,10 @@ def draw_trim(axes: Axes, surface: Surface) -> None:
 
 def draw_marks(axes: Axes, marks: Sequence[Mark]) -> None:
     """Draw labelled points."""
+    if marks:
+        places = [[mark.u for mark in marks], [mark.v for mark in marks]]
+        axes.scatter(*places, s=14, facecolor=INK, edgecolor="white", linewidth=0.7, zorder=5, clip_on=False)
     for mark in marks:
-        axes.scatter(mark.u, mark.v, s=14, facecolor=INK, edgecolor="white", linewidth=0.7, zorder=5, clip_on=False)
         right, up = mark.u < 0.85, mark.v < 0.85
         axes.annotate(
             drawable(mark.label),

@@ -7,7 +7,6 @@ from itertools import product
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.ticker import MaxNLocator
-from scipy.spatial import ConvexHull
 
 from quintrig.figure.camera import View
 from quintrig.figure.palette import INK
@@ -73,7 +72,11 @@ def box_outline(stage: Stage) -> FloatArray:
     """Return the outline (n, 2) of the box as seen, a little widened: what lies outside is cut off."""
     rim = 3.0 * stage.point
     corners = _corners(stage.view, stage.low - rim, stage.high + rim)
-    return corners[ConvexHull(corners).vertices]
+    depth = stage.view.project(np.array(list(product(*zip(stage.low, stage.high, strict=True)))))[:, 2]
+    nearest = int(np.argmax(depth))
+    around = np.delete(corners, (nearest, 7 - nearest), axis=0)  # without it and the corner opposite to it
+    x, y = (around - corners.mean(axis=0)).T
+    return around[np.argsort(np.arctan2(y, x))]
 
 
 def panel_size(view: View, low: FloatArray, high: FloatArray, width: float, framed: bool) -> tuple[float, float]:

@@ -50,13 +50,14 @@ def facets(
     *,
     readable: bool = False,
     face: BoolArray | None = None,
+    rim: float = 0.0,
 ) -> Paint:
     """Return the quads of a grid of points (n + 1, m + 1, 3), lit from the upper left.
 
     ``colours`` (n, m, 3) are dimmed where the light grazes; None paints the side of the normal and the back in two
     colours. ``readable`` colours keep to those of a key: they are hardly dimmed, never brightened, and keep their hue.
     ``sign`` is the surface's; facets with no corner ``inside`` (n + 1, m + 1) are left out, and those outside the
-    ``face`` (n, m).
+    ``face`` (n, m). Each reaches ``rim`` (length¹) over its edges, which closes the hairlines between neighbours.
     """
     seen = view.project(points)
     corners = np.stack([seen[:-1, :-1], seen[1:, :-1], seen[1:, 1:], seen[:-1, 1:]], axis=2)
@@ -72,8 +73,21 @@ def facets(
     keep = keep if face is None else keep & face
     rgba = np.concatenate([lit, np.ones((*lit.shape[:2], 1))], axis=-1)[keep]
     flat = corners[keep]
-    width = np.full(len(flat), 0.4)  # thin edges in the colour of the face close the hairlines between neighbours
-    return Paint(flat[..., :2], rgba, rgba, width, flat[..., 2].mean(axis=1))
+    # To draw the edges in the colour of the face would do the same, and take four times as long.
+    return Paint(_widened(flat[..., :2], rim), rgba, rgba, np.zeros(len(flat)), flat[..., 2].mean(axis=1))
+
+
+def _widened(quads: FloatArray, rim: float) -> FloatArray:
+    """Return quads (n, 4, 2) with every side moved outwards by ``rim``, no corner by more than twice that."""
+    sides = np.roll(quads, -1, axis=1) - quads
+    across = quads[:, 2:] - quads[:, :2]
+    turn = np.where(across[:, 0, 0] * across[:, 1, 1] < across[:, 0, 1] * across[:, 1, 0], -1.0, 1.0)
+    lengths = np.hypot(sides[..., 0], sides[..., 1])
+    outwards = np.stack([sides[..., 1], -sides[..., 0]], axis=-1) * turn[:, None, None]
+    outwards /= np.where(lengths > 0.0, lengths, 1.0)[..., None]
+    before = np.roll(outwards, 1, axis=1)
+    both = outwards + before
+    return quads + rim * both / np.maximum(1.0 + (outwards * before).sum(axis=-1), 0.5)[..., None]
 
 
 def _lit(colours: FloatArray, normal: FloatArray) -> FloatArray:

@@ -5,6 +5,7 @@ import textwrap
 import threading
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any, Literal
 
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -152,10 +153,15 @@ def _text(
 def drawable(text: str) -> str:
     """Return a text that matplotlib can draw: where its dollar signs enclose no formula they are plain letters."""
     clean = "".join(c for c in text if c == "\n" or c.isprintable())
+    return clean if all("$" not in line or _sets(line) for line in clean.splitlines()) else clean.replace("$", "\\$")
+
+
+@lru_cache(1000)
+def _sets(line: str) -> bool:
+    """Tell whether matplotlib sets a line; pictures of one page have many in common."""
     try:
         with ONE_AT_A_TIME:
-            for line in clean.splitlines():
-                MathTextParser("path").parse(line)
+            MathTextParser("path").parse(line)
     except ValueError:
-        return clean.replace("$", "\\$")
-    return clean
+        return False
+    return True

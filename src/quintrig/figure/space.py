@@ -21,6 +21,7 @@ from quintrig.geometry.surface import Surface
 from quintrig.support.arrays import BoolArray, FloatArray
 
 _RIM = "#3a3a3a"
+_OVER = 0.2  # points that a facet reaches over its edges
 _LEVELS = 2  # nodes of each facet's side at which contours are traced
 _ZEROS = 4  # and zeros: where two lines cross they miss each other by half a cell
 
@@ -64,7 +65,9 @@ def draw_space(
         within = inside(mesh, (low, high))
         rgb = tints[index] if tints else rgb
         kept, plain = _face(surface, cells), f is not None or bool(tints)
-        layer = [facets(mesh, scene.view, rgb, surface.sign, within, readable=plain, face=kept)]
+        layer = [
+            facets(mesh, scene.view, rgb, surface.sign, within, readable=plain, face=kept, rim=_OVER * stage.point)
+        ]
         lines = _lines_on(surface, mesh, scene, stage, f, colour if opacity < 1.0 else _RIM, levels)
         if opacity < 1.0:
             _paint(stage, joined(layer), opacity)

@@ -5,7 +5,6 @@ from dataclasses import replace
 
 import numpy as np
 from matplotlib.figure import Figure
-from scipy.spatial import ConvexHull, QhullError
 
 from quintrig.figure.curve import POLYGON, SAMPLES, automatic_labels, combs, different, family_colours, origin_note
 from quintrig.figure.scene import Scene, Trace
@@ -77,6 +76,8 @@ def curve_traces(
 
 def hull_edges(points: FloatArray) -> list[FloatArray]:
     """Return the edges (2, 3) of the convex hull of points in space, its triangles' shared flat ones left out."""
+    from scipy.spatial import ConvexHull, QhullError  # takes long to import
+
     middle = points - points.mean(axis=0)
     sizes, axes = np.linalg.svd(middle)[1:]
     if sizes[-1] <= 1e-9 * sizes[0]:  # in one plane, or on one line

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from functools import partial
+from typing import TYPE_CHECKING
 
 from markupsafe import Markup, escape
 
@@ -9,7 +10,9 @@ from quintrig.figure.deviation import deviation_picture
 from quintrig.report.pictures import Picture
 from quintrig.report.tables import Grid, head
 from quintrig.report.wording import aligned, digits_of, measure, pair, percent, prose
-from quintrig.scan.deviation import SIGN, Deviation
+
+if TYPE_CHECKING:  # scans bring Numba and SciPy with them
+    from quintrig.scan.deviation import Deviation
 
 _COLUMNS = ("min", "mean", "max", "rms")
 
@@ -19,7 +22,7 @@ class Beside:
     """A target that the page tells of beside the model: its name and its deviation."""
 
     name: str
-    found: Deviation
+    found: "Deviation"
 
 
 def picture(beside: Beside) -> Picture:
@@ -63,6 +66,8 @@ def sentences(beside: Beside) -> tuple[Markup, ...]:
 
 def table(beside: Beside) -> Grid:
     """Return the distances of all points, of those beside the surface, beyond its border, and of every patch."""
+    from quintrig.scan.deviation import SIGN
+
     told = beside.found.to_dict()
     rows = [("all points", told), ("orthogonal", told["orthogonal"]), ("beyond the border", told["edge"])]
     if len(told["patches"]) > 1:
@@ -98,5 +103,5 @@ def worst(beside: Beside) -> Grid:
     return Grid("Farthest points", heads, rows, (True, False, True, True))
 
 
-def _largest(found: Deviation) -> float:
+def _largest(found: "Deviation") -> float:
     return max(abs(found.min), abs(found.max))

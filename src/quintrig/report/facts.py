@@ -45,32 +45,88 @@ MARKS: tuple[tuple[Mark, str], ...] = tuple(
 _STEEP = 0.1  # n_z: the slope is 10, and γ1 and γ3 in the metric of the plane a thousand times those of the surface
 
 
+_LONG = {
+    "summary": "integrals and extremes",
+    "agreement": "comparison of the methods",
+    "certified": "proofs",
+    "varied": "other shape parameters",
+}
+
+
 @dataclass(frozen=True, eq=False)
 class Facts:
-    """What is known of a patch.
+    """What is known of a patch on grid x grid points, each fact found once, where it is first asked for.
 
-    ``variants`` are its own, first, and the thesis's sets of shape parameters, empty where none act; ``marks`` are the
-    labelled points and ``middle`` is the normal at the one called E, u = v = 1/2 of a whole surface, NaN where that is
-    singular. ``steep`` says that the tangent plane comes so near to vertical that maps of the invariants in the metric
-    of the plane would show little else.
+    So pictures, which need few of them, are drawn while the others are worked out. The effect of the shape parameters
+    is known where ``detailed``.
     """
 
     patch: Patch
     unit: str
     thresholds: Thresholds
-    summary: Summary
-    agreement: Agreement
-    marks: tuple[Mark, ...]
-    certified: Certified
-    points: Table
-    variants: tuple[Variant, ...]
-    middle: tuple[float, float, float]
-    steep: bool
+    grid: int
+    detailed: bool
+
+    @cached_property
+    def summary(self) -> Summary:
+        """Integrals, extremes, means, shares of classes."""
+        return summarise(self.patch.surface, self.unit, self.thresholds, self.grid)
+
+    @cached_property
+    def agreement(self) -> Agreement:
+        """How far the methods agree."""
+        return compare_methods(self.patch.surface, self.grid, self.grid, self.thresholds)
+
+    @cached_property
+    def certified(self) -> Certified:
+        """What is proved."""
+        return certify(self.patch.surface, self.unit)
 
     @cached_property
     def umbilics(self) -> Umbilics:
         """The umbilics, which a picture and the words beside it tell."""
         return umbilics(self.patch)
+
+    @cached_property
+    def marks(self) -> tuple[Mark, ...]:
+        """The labelled points."""
+        return marks_of(self.patch.surface)
+
+    @cached_property
+    def points(self) -> Table:
+        """Every quantity at the labelled points."""
+        u, v = np.array([(mark.u, mark.v) for mark in self.marks]).T
+        return tabulate(self.patch.surface, u, v, tuple(BY_KEY), unit=self.unit, thresholds=self.thresholds)
+
+    @cached_property
+    def others(self) -> tuple[Patch, ...]:
+        """The patch with the thesis's sets of shape parameters, empty where none act."""
+        return _others(self.patch) if self.detailed else ()
+
+    @cached_property
+    def varied(self) -> tuple[Variant, ...]:
+        """The ``others`` with their summaries."""
+        return tuple(variant(other, self.unit) for other in self.others)
+
+    @property
+    def variants(self) -> tuple[Variant, ...]:
+        """The patch as it is, then those ``varied``; empty where there are none."""
+        own = Variant(self.patch.shape, self.patch, self.summary, own=True)
+        return (own, *self.varied) if self.varied else ()
+
+    @cached_property
+    def middle(self) -> tuple[float, float, float]:
+        """The normal at the point called E, u = v = 1/2 of a whole surface, NaN where that is singular."""
+        x, y, z = analyse(self.patch.surface, self.marks[4].u, self.marks[4].v, ("normal",)).normal.tolist()
+        return x, y, z
+
+    @cached_property
+    def steep(self) -> bool:
+        """Whether the tangent plane comes so near to vertical that in its metric invariants would show little else."""
+        surface = self.patch.surface
+        over = face_grid(surface, self.grid, self.grid)
+        upright = analyse(surface, *over, ("normal",)).normal[..., 2]
+        return bool(((np.abs(upright) < _STEEP) & surface.inside(*over)).any())
 
 
 def marks_of(surface: Surface) -> tuple[Mark, ...]:
@@ -80,36 +136,16 @@ def marks_of(surface: Surface) -> tuple[Mark, ...]:
 
 
 def steps(patch: Patch, detailed: bool) -> int:
-    """Return how many steps ``gather`` reports."""
-    return 3 + (len(_others(patch)) if detailed else 0)
+    """Return how many steps ``work_out`` reports."""
+    return len(_LONG) - (not (detailed and has_effect(patch)))
 
 
-def gather(patch: Patch, unit: str, thresholds: Thresholds, grid: int, detailed: bool, report: Report) -> Facts:
-    """Compute everything about a patch on grid x grid points; the effect of the shape parameters where ``detailed``."""
-    surface = patch.surface
-    report("integrals and extremes")
-    summary = summarise(surface, unit, thresholds, grid)
-    report("comparison of the methods")
-    agreement = compare_methods(surface, grid, grid, thresholds)
-    report("proofs")
-    certified = certify(surface, unit)
-    marks = marks_of(surface)
-    u, v = np.array([(mark.u, mark.v) for mark in marks]).T
-    points = tabulate(surface, u, v, tuple(BY_KEY), unit=unit, thresholds=thresholds)
-    variants: list[Variant] = []
-    for other in _others(patch) if detailed else ():
-        report(f"shape parameters ({', '.join(f'{x:g}' for x in other.shape)})")
-        variants.append(variant(other, unit))
-    if variants:
-        variants.insert(0, Variant(patch.shape, patch, summary, own=True))
-    centre = marks[4]
-    middle = analyse(surface, centre.u, centre.v, ("normal",)).normal
-    x, y, z = (float(part) for part in middle)
-    over = face_grid(surface, grid, grid)
-    upright = analyse(surface, *over, ("normal",)).normal[..., 2]
-    steep = bool(((np.abs(upright) < _STEEP) & surface.inside(*over)).any())
-    found = (summary, agreement, marks, certified, points, tuple(variants))
-    return Facts(patch, unit, thresholds, *found, (x, y, z), steep)
+def work_out(facts: Facts, report: Report) -> None:
+    """Find all that takes long, and ``report`` what is at work."""
+    for name, what in _LONG.items():
+        if name != "varied" or facts.others:
+            report(what)
+            getattr(facts, name)
 
 
 def has_effect(patch: Patch) -> bool:

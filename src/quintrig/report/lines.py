@@ -1,12 +1,14 @@
 """Lines of curvature and umbilics of a patch: the picture, and what is said beside it."""
 
 import math
+from collections.abc import Sequence
 
 from matplotlib.figure import Figure
 
 from quintrig.figure import Mark, Scene, space_picture
 from quintrig.figure.read_lines import traces_of
 from quintrig.figure.style import STANDARD, Style
+from quintrig.geometry.surface import Surface
 from quintrig.interrogation.find import lines
 from quintrig.interrogation.umbilic import Umbilic
 from quintrig.report.facts import Facts
@@ -15,12 +17,13 @@ _SPACING = 1.0 / 7.0  # of the size
 _TOLD = 6  # umbilics by name
 
 
-def lines_picture(facts: Facts, width: float, style: Style = STANDARD) -> Figure:
-    """Return the surface with a net of lines of curvature and its umbilics."""
-    surface = facts.patch.surface
+def lines_picture(
+    surface: Surface, found: Sequence[Umbilic], unit: str, width: float, style: Style = STANDARD
+) -> Figure:
+    """Return the surface with a net of lines of curvature and the umbilics ``found``."""
     traces = traces_of(surface, lines(surface, "curvature", spacing=_SPACING * surface.size)) if surface.size else ()
-    marks = tuple(Mark(one.u, one.v, f"{one.type} {k + 1}") for k, one in enumerate(facts.umbilics.umbilics[:_TOLD]))
-    return space_picture(surface, None, Scene(traces=traces, marks=marks), unit=facts.unit, width=width, style=style)
+    marks = tuple(Mark(one.u, one.v, f"{one.type} {k + 1}") for k, one in enumerate(found[:_TOLD]))
+    return space_picture(surface, None, Scene(traces=traces, marks=marks), unit=unit, width=width, style=style)
 
 
 def _of_index(one: Umbilic) -> str:

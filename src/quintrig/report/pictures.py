@@ -2,7 +2,7 @@
 
 import base64
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 
 import numpy as np
@@ -34,6 +34,7 @@ from quintrig.quantities.table import BY_KEY
 from quintrig.report.facts import Facts, has_effect
 from quintrig.report.lines import lines_picture
 from quintrig.report.wording import percent
+from quintrig.shaping.shape_effect import spelt
 
 _DPI = 144
 _FILE_DPI = 300
@@ -68,10 +69,13 @@ _ZEROS = {"gaussian": " On the line between them K = 0.", "mean": " On the dashe
 
 @dataclass(frozen=True)
 class Picture:
-    """A picture to be drawn: ``name`` for the template, what it shows in words, and what draws it in a style."""
+    """A picture to be drawn: ``name`` for the template, what draws it in a style, and what it shows in words.
+
+    The words may be a function, for those that take longer to find than the picture to draw.
+    """
 
     name: str
-    alt: str
+    alt: str | Callable[[], str]
     draw: Callable[..., Figure]
 
 
@@ -89,13 +93,21 @@ class Image:
 
 def render(picture: Picture, formats: Sequence[str] = (), style: Style = STANDARD) -> Image:
     """Draw a picture into the page, and as files of these formats."""
-    figure = picture.draw(style=style)
+    return told(picture, drawn(picture.draw, picture.name, formats, style))
+
+
+def drawn(draw: Callable[..., Figure], name: str, formats: Sequence[str] = (), style: Style = STANDARD) -> Image:
+    """Draw a picture that is not told in words yet."""
+    figure = draw(style=style)
     width, height = (float(x) for x in figure.get_size_inches())
     data = base64.b64encode(to_png_bytes(figure, _DPI)).decode("ascii")
     files = {form: to_bytes(figure, form, style.dpi or _FILE_DPI) for form in formats}
-    return Image(
-        f"data:image/png;base64,{data}", picture.alt, round(96 * width), round(96 * height), files, picture.name
-    )
+    return Image(f"data:image/png;base64,{data}", "", round(96 * width), round(96 * height), files, name)
+
+
+def told(picture: Picture, image: Image) -> Image:
+    """Return a drawn picture with its words."""
+    return replace(image, alt=picture.alt if isinstance(picture.alt, str) else picture.alt())
 
 
 def overview(model: Model, joins: Joins) -> Iterator[Picture]:
@@ -110,15 +122,20 @@ def overview(model: Model, joins: Joins) -> Iterator[Picture]:
     yield Picture("all-zebra", "All patches reflecting stripes.", partial(zebra_picture, surfaces, unit=model.unit))
 
 
-def pictures(facts: Facts, detailed: bool, quantities: Sequence[str] = ()) -> tuple[Picture, ...]:
-    """Return the pictures of a patch; only the surface, K, H and the agreement where not ``detailed``.
+def pictures(facts: Facts, quantities: Sequence[str] = ()) -> Iterator[Picture]:
+    """Return the pictures of a patch, those first that take longest; few of one that is not ``detailed``.
 
     ``quantities`` are keys to show in the place of ``SHOWN``.
     """
-    found = [_lead(facts), *_fields(facts, _keys(detailed, quantities)), _agreement(facts)]
-    if detailed:
-        found += [_projections(facts), _lines(facts), *_invariants(facts), *_effect(facts)]
-    return tuple(found)
+    if facts.detailed:
+        yield from _effect(facts)
+        yield _lines(facts)
+        yield _projections(facts)
+    yield _lead(facts)
+    yield from _fields(facts, _keys(facts.detailed, quantities))
+    yield _agreement(facts)
+    if facts.detailed:
+        yield from _invariants(facts)
 
 
 def picture_count(patch: Patch, detailed: bool, quantities: Sequence[str] = ()) -> int:
@@ -138,13 +155,16 @@ def _lead(facts: Facts) -> Picture:
     net = surface.net is not None
     marks = facts.marks
     scene = Scene(net=net, isolines=7, marks=marks, normal=True)
-    low, high = facts.summary.box
-    spans = " by ".join(f"{b - a:.3g}" for a, b in zip(low, high, strict=True))
-    inside = ", inside its control net" if net else ""
-    alt = (
-        f"The surface in space with the labelled points A to I and its normal{inside}; "
-        f"it measures {spans} {facts.unit} along x, y and z."
-    )
+
+    def alt() -> str:
+        low, high = facts.summary.box
+        spans = " by ".join(f"{b - a:.3g}" for a, b in zip(low, high, strict=True))
+        inside = ", inside its control net" if net else ""
+        return (
+            f"The surface in space with the labelled points A to I and its normal{inside}; "
+            f"it measures {spans} {facts.unit} along x, y and z."
+        )
+
     return Picture("lead", alt, partial(space_picture, surface, None, scene, unit=facts.unit, width=5.4))
 
 
@@ -167,14 +187,18 @@ def _fields(facts: Facts, keys: Sequence[str]) -> Iterator[Picture]:
     surface, limits = facts.patch.surface, facts.thresholds
     marks = facts.marks
     for key in keys:
-        name, told = BY_KEY[key].name, _told(facts, key)
+        name, numbers = BY_KEY[key].name, partial(_numbers, facts, key)
         space = partial(space_picture, surface, key, unit=facts.unit, thresholds=limits, width=_SPACE)
         plane = partial(flat_map, surface, key, marks=marks, unit=facts.unit, thresholds=limits, width=_MAP)
-        yield Picture(f"{key}-space", f"The surface in space, coloured by {name}. {told}".strip(), space)
-        yield Picture(f"{key}-map", f"Map of {name} over u and v. {told}".strip(), plane)
+        yield Picture(f"{key}-space", partial(_with, f"The surface in space, coloured by {name}.", numbers), space)
+        yield Picture(f"{key}-map", partial(_with, f"Map of {name} over u and v.", numbers), plane)
 
 
-def _told(facts: Facts, key: str) -> str:
+def _with(words: str, numbers: Callable[[], str]) -> str:
+    return f"{words} {numbers()}".strip()
+
+
+def _numbers(facts: Facts, key: str) -> str:
     """Say in words what a picture shows: the range of a number, the shares of classes."""
     if key not in (*facts.summary.shares, *facts.summary.extremes):
         return ""
@@ -197,7 +221,9 @@ def _projections(facts: Facts) -> Picture:
 
 def _lines(facts: Facts) -> Picture:
     alt = "The surface with a net of lines of curvature and its umbilics."
-    return Picture("lines", alt, partial(lines_picture, facts, _SPACE))
+    return Picture(
+        "lines", alt, partial(lines_picture, facts.patch.surface, facts.umbilics.umbilics, facts.unit, _SPACE)
+    )
 
 
 def invariants_shown(facts: Facts) -> tuple[str, ...]:
@@ -232,10 +258,10 @@ def _agreement(facts: Facts) -> Picture:
 
 
 def _effect(facts: Facts) -> Iterator[Picture]:
-    found = facts.variants
-    if not found:
+    if not facts.others:
         return
-    surfaces, labels = [one.patch.surface for one in found], [one.label for one in found]
+    surfaces = [patch.surface for patch in (facts.patch, *facts.others)]
+    labels = [spelt(facts.patch.shape, own=True), *(spelt(patch.shape) for patch in facts.others)]
     for key in ("gaussian", "mean"):
         name = BY_KEY[key].name
         space = partial(comparison, surfaces, labels, key, unit=facts.unit, columns=2, width=6.4)

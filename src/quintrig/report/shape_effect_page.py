@@ -9,7 +9,6 @@ from jinja2 import Environment, StrictUndefined
 from matplotlib.figure import Figure
 
 from quintrig import __version__
-from quintrig.analysis.table import Table
 from quintrig.exchange.tables import shown
 from quintrig.figure import (
     Scene,
@@ -26,6 +25,7 @@ from quintrig.figure.style import STANDARD, Style
 from quintrig.model.patch import NamedCurve, Patch
 from quintrig.quantities.table import quantity
 from quintrig.shaping.curve_effect import CurveVariant
+from quintrig.shaping.effect import Effect
 from quintrig.shaping.shape_effect import Variant
 
 _DPI = 150
@@ -109,12 +109,9 @@ def _picture(name: str, title: str, figure: Figure, formats: Sequence[str], dpi:
 
 @dataclass(frozen=True, eq=False)
 class Section:
-    """What shape parameters do to one patch or curve: its variants, their table, and of a body those of its seams."""
+    """What shape parameters do to one patch or curve, and the pictures of it."""
 
-    name: str
-    found: Sequence[Variant] | Sequence[CurveVariant]
-    table: Table
-    seams: Table | None = None
+    effect: Effect
     pictures: tuple[Picture, ...] = ()
 
     @property
@@ -131,19 +128,21 @@ class Section:
     @property
     def lines(self) -> list[tuple[str, str, list[str]]]:
         """Symbol, unit and values of each column of the table."""
-        columns = self.table.columns[self.table.lead :]
+        table = self.effect.table
+        columns = table.columns[table.lead :]
         return [(one.symbol, one.unit, [shown(value) for value in one.rounded]) for one in columns]
 
     @property
     def seam_rows(self) -> list[list[str]]:
         """The rows of the table of seams."""
-        if self.seams is None:
+        seams = self.effect.seams
+        if seams is None:
             return []
-        return [[shown(cell) for cell in row] for row in zip(*(c.rounded for c in self.seams.columns), strict=True)]
+        return [[shown(cell) for cell in row] for row in zip(*(c.rounded for c in seams.columns), strict=True)]
 
     @property
     def _part(self) -> Patch | NamedCurve:
-        first = self.found[0]
+        first = self.effect.found[0]
         return first.curve if isinstance(first, CurveVariant) else first.patch
 
 

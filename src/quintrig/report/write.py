@@ -1,6 +1,6 @@
 """The report on a model, written as one HTML file."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import Future
 from dataclasses import dataclass
 from itertools import count
@@ -28,7 +28,17 @@ from quintrig.report.facts import Facts
 from quintrig.report.findings import findings, methods
 from quintrig.report.lines import umbilic_words
 from quintrig.report.mathml import mathml
-from quintrig.report.pictures import Image, invariants_shown, overview, picture_count, pictures, readings, render
+from quintrig.report.pictures import (
+    Image,
+    Picture,
+    drawn,
+    invariants_shown,
+    overview,
+    picture_count,
+    pictures,
+    readings,
+    told,
+)
 from quintrig.report.wording import digits_of, measure, percent, prose
 from quintrig.studio import page as studio
 from quintrig.support.files import refuse_unwritable, write_whole
@@ -37,6 +47,9 @@ from quintrig.support.progress import Progress, watched
 
 DETAILED = 4
 """Models with more patches than this are told in brief: fewer pictures of each."""
+
+Waiting = list[tuple[Picture, Future[Image]]]
+"""Pictures that are being drawn."""
 
 _LONGEST = 60_000  # characters of the model's own text that the page holds
 _LARGEST_VIEW = 2_000_000  # characters of a model that the interactive view is given
@@ -94,34 +107,27 @@ def write_report(
         if formats:
             _write_beside(target.parent, *_along(along, every))
         return write_whole(target, _curve_page(model, source, along, every, style))
-    drawn: list[tuple[str, dict[str, Future[Image]]]] = []
-    facts: list[Facts] = []
+    facts = [Facts(patch, model.unit, thresholds, grid, detailed) for patch in model.patches]
     with pool(processes) as workers:
+
+        def submit(some: Iterable[Picture]) -> Waiting:
+            return [(one, workers.submit(drawn, one.draw, one.name, formats, style)) for one in some]
+
         try:
-            for index, patch in enumerate(model.patches):
-                name = f"{patch.name}: " if several else ""
-                found = known.gather(patch, model.unit, thresholds, grid, detailed, lambda what, n=name: step(n + what))
-                facts.append(found)
-                waiting = {
-                    one.name: workers.submit(render, one, formats, style)
-                    for one in pictures(found, detailed, style.quantities)
-                }
-                drawn.append((f"patch-{index + 1}", waiting))
-            seams = overview(model, joins) if joins is not None else ()
-            shared = [*seams, *((deviation.picture(beside),) if beside is not None else ())]
-            drawn.append(("together", {one.name: workers.submit(render, one, formats, style) for one in shared}))
-            images: list[dict[str, Image]] = []
-            for _, waiting in drawn:
-                images.append({})
-                for what, future in waiting.items():
-                    step(f"picture {what}")
-                    images[-1][what] = future.result()
+            # The pictures are drawn while the numbers are worked out here.
+            shared = submit(overview(model, joins)) if joins is not None else []
+            shared += submit([deviation.picture(beside)]) if beside is not None else []
+            waiting = [submit(pictures(found, style.quantities)) for found in facts]
+            for found in facts:
+                name = f"{found.patch.name}: " if several else ""
+                known.work_out(found, lambda what, name=name: step(name + what))
+            images = [_arrived(some, step) for some in (*waiting, shared)]
         finally:
             workers.shutdown(wait=False, cancel_futures=True)
     along = curves.curve_chapters(model, step, formats, style)
     chapters = [
-        Chapter(found, shown, anchor, detailed)
-        for found, shown, (anchor, _) in zip(facts, images[:-1], drawn[:-1], strict=True)
+        Chapter(found, shown, f"patch-{number}", detailed)
+        for number, (found, shown) in enumerate(zip(facts, images[:-1], strict=True), 1)
     ]
     step("writing the page")
     if formats:
@@ -133,6 +139,15 @@ def write_report(
     return write_whole(
         target, _page(model, source, chapters, images[-1], joins, grid, thresholds, along, style, beside)
     )
+
+
+def _arrived(waiting: Waiting, step: Callable[[str], None]) -> dict[str, Image]:
+    """Return pictures by name, waiting for each in turn."""
+    found: dict[str, Image] = {}
+    for picture, future in waiting:
+        step(f"picture {picture.name}")
+        found[picture.name] = told(picture, future.result())
+    return found
 
 
 def _along(

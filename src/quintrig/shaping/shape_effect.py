@@ -43,12 +43,18 @@ class Variant:
     @property
     def parameters(self) -> str:
         """The shape parameters, such as ``(1, 1, -3, -3)``."""
-        return f"({', '.join(f'{value:g}' for value in self.shape)})"
+        return spelt(self.shape)
 
     @property
     def label(self) -> str:
         """The shape parameters as a title, which says whose they are where they are the model's own."""
-        return f"{self.parameters} {AS_GIVEN}" if self.own else self.parameters
+        return spelt(self.shape, own=self.own)
+
+
+def spelt(shape: Sequence[float], *, own: bool = False) -> str:
+    """Return shape parameters as a title, which says so where they are the model's ``own``."""
+    parameters = f"({', '.join(f'{value:g}' for value in shape)})"
+    return f"{parameters} {AS_GIVEN}" if own else parameters
 
 
 def standard_shapes(patch: Patch | NamedCurve) -> tuple[tuple[float, ...], ...]:
