@@ -237,6 +237,12 @@ def test_lines_respect_trims():
     assert found[0].uv[:, 1].min() == pytest.approx(0.2, abs=1e-6)
     with pytest.raises(ValueError, match="outside its trim"):
         lines(model, "geodesic", start=(0.1, 0.1), direction=0)
+    bent = quintrig.Model.from_dict({**sheet(1.0, 3), "trim": [[[0.1, 0.2], [0.9, 0.1], [0.5, 0.8]]]})
+    normal = np.array([0.4, 0.5, -1.0]) / np.linalg.norm([0.4, 0.5, -1.0])
+    cuts = lines(bent, "section", normal=normal, count=5, tolerance=0.05)
+    assert len(cuts) >= 3
+    for line in cuts:  # the ends on the loop are on the line too
+        assert np.abs(line.points @ normal - line.level).max() < 1e-6
 
 
 def sheet(side, power):

@@ -308,6 +308,12 @@ def test_rational_faces_are_proved_span_by_span():
     assert quintrig.prove(surface, "regular").proved
     # √½ is rounded, so the surface is a sphere to its last digits only.
     assert quintrig.prove(surface, "0.99 < gaussian < 1.01").proved
+    points[-1] = [(6e-17 * x, 6e-17 * y, 1.0) for x, y in arc]  # as a CAD program writes a pole
+    rounded = quintrig.geometry.nurbs.nurbs(points, weights, (2, 2), knots)
+    for claim in ("regular", "gaussian > 0", "0.99 < gaussian < 1.01", "convex"):
+        verdict = quintrig.prove(rounded, claim)
+        assert verdict.proved, claim
+        assert claim == "convex" or any("differ by rounding alone" in note for note in verdict.notes)
 
 
 def test_a_trimmed_face_is_judged_by_what_is_left_of_it():

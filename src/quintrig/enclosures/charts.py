@@ -19,6 +19,12 @@ from quintrig.basis.functions import Functions
 from quintrig.geometry.surface import Net, Surface
 from quintrig.support.arrays import FloatArray
 
+_ROUNDED = 2.0**-48
+"""Of the largest coordinate: control points no farther apart than this differ by rounding alone."""
+
+Edge = tuple[int, int]
+"""The axis of the parameter that is constant along an edge, and at which end: 0 or -1."""
+
 
 @dataclass(frozen=True, eq=False)
 class Direction:
@@ -66,11 +72,12 @@ def charts(surface: Surface) -> Iterator[Chart]:
     if not isinstance(rows, Net):
         rows = rows.homogeneous  # of a strip
     if rows.dimension == 4:
-        net = _homogeneous(surface, rows)
+        net = _homogeneous(surface, rows, rounded_edges(surface))
     elif rows.steps is not None:
         net = fractions(rows.steps)
     else:
-        net = _split(_split(fractions(rows.points), rows.functions).transpose(1, 0, 2), surface.blend)
+        points = _as_one(fractions(rows.points), rounded_edges(surface))
+        net = _split(_split(points, rows.functions).transpose(1, 0, 2), surface.blend)
         net = net.transpose(1, 0, 2)
     whole = rows.dimension == 4
     along = [_direction(span, rows.functions, whole) for span in rows.functions.exact()]
@@ -91,11 +98,38 @@ def _scale(net: Exact) -> Fraction:
     return Fraction(2) ** (largest.numerator.bit_length() - largest.denominator.bit_length())
 
 
-def _homogeneous(surface: Surface, rows: Net) -> Exact:
+def rounded_edges(surface: Surface) -> tuple[Edge, ...]:
+    """Return the edges, (0, 0), (0, -1), (1, 0), (1, -1), whose control points differ, but by rounding alone.
+
+    So CAD programs write poles: cos 90° is 6e-17 to them.
+    """
+    net, found = surface.net, list[Edge]()
+    if net is None or not isinstance(surface.rows, Net) or surface.rows.steps is not None:
+        return ()
+    least = _ROUNDED * float(np.abs(net).max(initial=0.0))
+    for axis in (0, 1):
+        for end in (0, -1):
+            edge = np.take(net, end, axis)
+            off = float(np.abs(edge - edge[0]).max(initial=0.0))
+            if 0.0 < off <= least:
+                found.append((axis, end))
+    return tuple(found)
+
+
+def _as_one(points: Exact, edges: tuple[Edge, ...]) -> Exact:
+    """Return points with all of some edges made the first of each."""
+    points = points.copy()
+    for axis, end in edges:
+        edge = (end, slice(None)) if axis == 0 else (slice(None), end)
+        points[edge] = points[edge][0]
+    return points
+
+
+def _homogeneous(surface: Surface, rows: Net, edges: tuple[Edge, ...]) -> Exact:
     """Return homogeneous points; where points and weights are known, not rounded, so that poles stay poles."""
     points = fractions(rows.points)
     if surface.net is not None and surface.net.shape[:2] == points.shape[:2]:
-        near = fractions(surface.net) - fractions(surface.origin)
+        near = _as_one(fractions(surface.net) - fractions(surface.origin), edges)
         points = np.concatenate([near * points[..., 3:], points[..., 3:]], axis=-1)
     return points
 

@@ -2,10 +2,13 @@
 
 import numpy as np
 
-from quintrig.enclosures.charts import Chart
+from quintrig.enclosures.charts import Chart, rounded_edges
 from quintrig.enclosures.search import Outside, nothing
 from quintrig.geometry.surface import Surface
 from quintrig.support.arrays import BoolArray, FloatArray
+
+BESIDE = 2.0**-10
+"""Of the domain: so near to a pole that is one but for rounding, nothing is proved of curvature."""
 
 _MARGIN = 1e-9
 """Of the domain: more than the rounding of parameters. Boxes this near to a loop count as inside."""
@@ -27,6 +30,22 @@ def outside(surface: Surface, chart: Chart) -> Outside:
             middle = 0.5 * (a + b)
             if not surface.inside(*middle) and (point or not _crossed(start, end, a - _MARGIN, b + _MARGIN)):
                 result[i] = True
+        return result
+
+    return test
+
+
+def beside(surface: Surface, chart: Chart) -> Outside:
+    """Return ``outside``, and what lies beside poles that are such but for rounding: there K is rounding over 0."""
+    trimmed, edges = outside(surface, chart), rounded_edges(surface)
+    if not edges:
+        return trimmed
+
+    def test(low: FloatArray, high: FloatArray) -> BoolArray:
+        result = trimmed(low, high)
+        first, last = chart.parameters(low[:, 0], low[:, 1]), chart.parameters(high[:, 0], high[:, 1])
+        for axis, end in edges:
+            result = result | ((last[axis] <= BESIDE) if end == 0 else (first[axis] >= 1.0 - BESIDE))
         return result
 
     return test

@@ -10,9 +10,9 @@ from quintrig.basis.rational import NotRationalError
 from quintrig.enclosures import hulls, strips
 from quintrig.enclosures.ball import Ball
 from quintrig.enclosures.boxes import Boxes, Enclose
-from quintrig.enclosures.charts import Chart, charts
+from quintrig.enclosures.charts import Chart, charts, rounded_edges
 from quintrig.enclosures.claims import Claim, read
-from quintrig.enclosures.faces import outside
+from quintrig.enclosures.faces import BESIDE, beside, outside
 from quintrig.enclosures.folds import turning
 from quintrig.enclosures.measures import MEASURES, REGULAR, UPRIGHT, Measure, Problem, gauss_sign, saddle_sign
 from quintrig.enclosures.poles import apex
@@ -99,7 +99,7 @@ class Prover:
             found = strips.bounds(self.surface, measure, tolerance, most, direction)
         else:
             starts = [
-                (*self._start(measure.problem, shape, direction), outside(self.surface, chart))
+                (*self._start(measure.problem, shape, direction), beside(self.surface, chart))
                 for chart, shape in self.shapes(False)
             ]
             found = enclosed(starts, tolerance, most * len(starts), (True, key != "curvature_radius"))
@@ -182,7 +182,7 @@ class Prover:
         if problem is gauss_sign and wanted == _SADDLE and self._saddle(shape):
             return Search(1)
         forms, enclose = problem(shape, self.surface.sign, claim.direction)
-        away = outside(self.surface, chart)
+        away = (beside if claim.measure else outside)(self.surface, chart)
         if not split:
             return settle(Boxes.whole([f.ball() for f in forms]), enclose, wanted, self.most, away, shape.both)
         result = Search()
@@ -273,6 +273,11 @@ class Prover:
     def _edge_notes(self) -> tuple[str, ...]:
         """Return what to know of edges along which a tangent vanishes."""
         told: dict[str, None] = {}
+        for axis, end in rounded_edges(self.surface):
+            told[
+                f"the control points of {'uv'[axis]} = {-end} differ by rounding alone, and are taken as one; "
+                f"of curvature within {BESIDE:.1g} of it nothing is said"
+            ] = None
         for chart, balls, _ in self._each:
             for edges, name in zip(balls.factors, ("S_u", "S_v"), strict=True):
                 for power, edge in zip(edges, _edges(chart), strict=True):

@@ -73,38 +73,64 @@ class Path:
         return self.parts(inside, [self._crossing(surface, int(i), bool(inside[i])) for i in changes(inside)])
 
     def parts(self, kept: BoolArray, crossings: Sequence[FloatArray]) -> "list[Path]":
-        """Return the stretches of points that are kept, each to the crossing (1, 2) between them and the next one."""
+        """Return the stretches of points that are kept, each to the crossing between them and the next one.
+
+        A crossing (9, 2) holds the points of the line at 1/4, 2/4, 3/4 of the way there and of the way on, and ends.
+        """
         if kept.all():
             return [self]
         parts: list[Path] = []
         start = 0
         ends = dict(zip(changes(kept).tolist(), crossings, strict=True))
+        inner = np.stack([self.middles] * 3, axis=1)
+        if self.quarters is not None:
+            inner[:, ::2] = self.quarters
         for i in [*ends, len(kept) - 1]:
             if kept[i]:
-                head = [ends[start - 1]] if start else []
-                tail = [ends[i]] if i in ends else []
-                uv = np.concatenate([*head, self.uv[start : i + 1], *tail])
-                middles, quarters = 0.5 * (uv[1:] + uv[:-1]), None
-                whole = slice(len(head), len(head) + i - start)
-                middles[whole] = self.middles[start:i]
-                if self.quarters is not None:
-                    quarters = np.stack([0.5 * (uv[:-1] + middles), 0.5 * (middles + uv[1:])], axis=1)
-                    quarters[whole] = self.quarters[start:i]
-                if len(uv) > 1:
-                    parts.append(Path(self.patch, uv, middles, quarters=quarters))
+                head = [ends[start - 1][4:]] if start else []
+                tail = [ends[i][:5]] if i in ends else []
+                if start < i or head or tail:
+                    ways = [*(part[1:4] for part in head), *inner[start:i], *(part[1:4] for part in tail)]
+                    uv = np.concatenate([*(x[:1] for x in head), self.uv[start : i + 1], *(x[4:] for x in tail)])
+                    between = np.stack(ways)
+                    quarters = None if self.quarters is None else between[:, ::2]
+                    parts.append(Path(self.patch, uv, between[:, 1], quarters=quarters))
             start = i + 1
         return parts
 
     def _crossing(self, surface: Surface, i: int, leaving: bool) -> FloatArray:
-        """Return the parameters (1, 2) between points i and i + 1 where a loop is crossed."""
-        low, high = self.uv[i], self.uv[i + 1]
+        """Return the crossing (9, 2) of a loop between points i and i + 1."""
+        known = (
+            [self.middles[i]]
+            if self.quarters is None
+            else [*self.quarters[i, :1], self.middles[i], *self.quarters[i, 1:]]
+        )
+        points = np.stack([self.uv[i], *known, self.uv[i + 1]])
+        t = np.linspace(0.0, 1.0, len(points))
+        curve = np.linalg.solve(np.vander(t), points)  # the polynomial through them
+        low, high = 0.0, 1.0
         for _ in range(_HALVINGS):
             middle = 0.5 * (low + high)
-            if bool(surface.inside(*middle)) == leaving:
+            if bool(surface.inside(*_clipped(np.vander([middle], len(t)) @ curve)[0])) == leaving:
                 low = middle
             else:
                 high = middle
-        return (low if leaving else high)[None, :]
+        return _clipped(np.vander(stops(low if leaving else high), len(t)) @ curve)
+
+
+def stops(at: float) -> FloatArray:
+    """Return quarters of the way from 0 to a place between 0 and 1, and on to 1 (9,)."""
+    return np.concatenate([np.linspace(0.0, at, 5), np.linspace(at, 1.0, 5)[1:]])
+
+
+def straight(start: FloatArray, at: FloatArray, end: FloatArray) -> FloatArray:
+    """Return the crossing (9, 2) at a place between two points, by straight lines."""
+    t = np.linspace(0.0, 1.0, 5)[:, None]
+    return np.concatenate([start + t * (at - start), (at + t * (end - at))[1:]])
+
+
+def _clipped(uv: FloatArray) -> FloatArray:
+    return np.clip(uv, 0.0, 1.0)
 
 
 def looked_up(surfaces: Sequence[Surface], paths: Sequence[Path]) -> None:

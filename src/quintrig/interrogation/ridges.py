@@ -11,7 +11,7 @@ from quintrig.geometry.surface import Surface
 from quintrig.interrogation.fields import ridge_scalar
 from quintrig.interrogation.levels import Grid, Scalar, between, signed
 from quintrig.interrogation.local import Local
-from quintrig.interrogation.polyline import Path, changes
+from quintrig.interrogation.polyline import Path, changes, straight
 from quintrig.support.arrays import BoolArray, FloatArray
 
 NAMES = {1: "trough", 2: "crest"}
@@ -58,15 +58,16 @@ def _extreme(surface: Surface, uv: FloatArray, scalar: Scalar, family: int) -> B
 
 
 def _ends(surface: Surface, paths: list[Path], kept: list[BoolArray], scalar: Scalar, family: int) -> list[FloatArray]:
-    """Return where the curvature ceases to be extreme or the larger, (1, 2) each, between points kept and not kept."""
-    pairs = [
-        path.uv[[k, k + 1][:: 1 if use[k] else -1]] for path, use in zip(paths, kept, strict=True) for k in changes(use)
-    ]
+    """Return the crossings (9, 2) where the curvature ceases to be extreme, or the larger one."""
+    pairs = [path.uv[[k, k + 1]] for path, use in zip(paths, kept, strict=True) for k in changes(use)]
     if not pairs:
         return []
-    good, bad = np.stack(pairs, axis=1)
+    first = np.concatenate([use[changes(use)] for use in kept])[:, None]
+    both = np.stack(pairs)
+    start, end = both[:, 0], both[:, 1]
+    good, bad = np.where(first, start, end), np.where(first, end, start)
     for _ in range(_HALVINGS):
         middle = between(scalar, good, bad, 0.0)
         still = _extreme(surface, middle, scalar, family)[:, None]
         good, bad = np.where(still, middle, good), np.where(still, bad, middle)
-    return list(good[:, None])
+    return [straight(*places) for places in zip(start, good, end, strict=True)]
