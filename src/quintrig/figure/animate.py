@@ -15,7 +15,8 @@ from PIL import Image
 from quintrig.basis.pairs import key_of, symbol
 from quintrig.figure.camera import ViewName
 from quintrig.figure.field import common_limits, facet_fields
-from quintrig.figure.plot import CURVE_PICTURES, curve_picture, plot, read_quantities
+from quintrig.figure.plot import plot, read_quantities
+from quintrig.figure.plot_curves import CURVE_PICTURES, curve_picture
 from quintrig.figure.save import to_png_bytes
 from quintrig.figure.scene import Scene, bounds
 from quintrig.figure.space_curves import curve_traces
