@@ -291,6 +291,8 @@ def test_lines_scans_and_named_curves_are_drawn_by_themselves(boot):
     drawn = quintrig.plot(scan, ["K", "point_type"], colours="viridis", limits=(-1e-4, 1e-4))
     assert {"hood", "Gaussian curvature $K$", "Point type"} <= set(words(drawn))
     assert "hood" not in words(quintrig.plot(scan, style="journal"))
+    wide, tall = quintrig.plot(scan, ["K", "point_type"], width="column").get_size_inches()  # one below the other
+    assert tall > wide == pytest.approx(84.0 / 25.4)
     curves = quintrig.Model.of_curves([PLANE])
     assert quintrig.plot(curves.curves[0], "comb").axes
     with pytest.raises(ValueError, match="'comb' is drawn of curves, and here are surfaces; draw a quantity"):
