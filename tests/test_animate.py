@@ -56,6 +56,15 @@ def test_a_film_of_a_curve_keeps_its_axes(quantity):
     assert not np.array_equal(*frames)
 
 
+def test_curves_by_themselves_and_zebra_stripes_move():
+    named = CURVE.curves[0]
+    for one in (named, named.curve):
+        assert len(quintrig.animate(one, "alpha", quantity="κ", frames=2, dpi=30).frames) == 2
+    assert len(quintrig.animate(BOOT, "alpha1", quantity="zebra", frames=2, dpi=30).frames) == 2
+    with pytest.raises(ValueError, match="subject: expected a model, patch, surface or curve, found int"):
+        quintrig.animate(3, "alpha1")
+
+
 def test_the_last_frame_is_the_picture_of_the_last_value():
     film = quintrig.animate(
         BOOT, "zeta2", -1, 0.5, quantity="H", frames=2, dpi=40, style=quintrig.Style(limits=(-1, 1))

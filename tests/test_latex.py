@@ -1,5 +1,6 @@
 """Every LaTeX table that a command writes compiles, plain and with siunitx, whatever the names in it."""
 
+import csv
 import math
 import os
 import re
@@ -15,6 +16,8 @@ from cli_runner import quintrig as command
 from quintrig.analysis.table import Column, Table, tabulate
 from quintrig.exchange.latex import text, to_latex
 from quintrig.quantities.table import BY_KEY
+from quintrig.reproduce.inventory import inventory
+from quintrig.reproduce.tables import tables
 
 BOOT = Path(__file__).parents[1] / "examples" / "car_boot.toml"
 
@@ -124,3 +127,17 @@ def test_digits_have_limits(digits):
 
 def test_greek_and_accents_are_spelled_out():
     assert text("κ1 ζ2 é") == r"$\kappa_1$ $\zeta_2$ \'{e}"
+    assert text("K ≠ 0 → Σ") == r"K $\neq$ 0 $\to$ $\Sigma$"
+
+
+@pytest.mark.parametrize("number", ["3.1", "4.1", "A1"])
+def test_tables_of_the_reproduction_compile_with_the_columns_of_their_csv(number, tmp_path):
+    item = next(one for one in inventory() if one.key == f"table-{number}")
+    for table in tables(item):
+        files = dict(table.files)
+        heads = next(csv.reader(line for line in files[".csv"].splitlines() if not line.startswith("#")))
+        kinds = re.findall(r"\\begin\{(?:tabular|longtable)\}\{([lr]+)\}", files[".tex"])
+        lead = 3 if heads[0] == "point" else 1  # columns that name the row stand in every part
+        assert sum(len(one) - lead for one in kinds) + lead == len(heads)
+        assert "Overfull" not in compiled(files[".tex"], tmp_path)
+        assert "U+" not in files[".tex"]

@@ -152,6 +152,23 @@ def test_on_given_axes_the_picture_alone_is_drawn(boot, view):
     assert axes.images if view == "flat" else any(isinstance(one, PolyCollection) for one in axes.collections)
 
 
+def test_curves_lines_and_samples_are_drawn_on_given_axes_in_the_letters_of_the_style(boot):
+    sample = quintrig.analyse(boot.surface, *quintrig.grid(20, 30))
+    subjects = [(PLANE, "comb"), (PLANE, "κ"), (SPACE, "hull"), (SPACE, "torsion"), (sample, "K")]
+    for subject, quantity in (*subjects, (quintrig.lines(boot, "parabolic"), "surface")):
+        axes = Figure().add_subplot()
+        assert quintrig.plot(subject, quantity, axes=axes, style="journal", levels=3) is axes.figure
+        assert axes.figure.axes == [axes]
+        assert axes.lines or axes.collections
+        assert all(text.get_fontfamily()[0] == "STIXGeneral" for text in axes.findobj(Text))
+
+
+@pytest.mark.parametrize("wrong", [None, "lid.toml", np.zeros((3, 3)), [1]])
+def test_what_has_no_picture_is_named(wrong):
+    with pytest.raises(ValueError, match=r"subject: expected a surface.*found"):
+        quintrig.plot(wrong)
+
+
 def test_what_can_be_drawn(boot):
     sample = quintrig.analyse(boot.surface, *quintrig.grid(20, 30))
     for subject, quantity in (
@@ -186,6 +203,13 @@ MISTAKES = {
     "narrow": ({"width": 0.2}, "width: expected 1 to 20 inches"),
     "size": ({"size": 99}, "size: expected 4 to 24 points"),
     "levels": ({"levels": [1, 0]}, "levels: expected rising"),
+    "three ends": ({"limits": (0, 1, 2)}, "limits: expected two numbers"),
+    "one percentile": ({"percentiles": 98}, "percentiles: expected two numbers"),
+    "half a level": ({"levels": 0.5}, "levels: expected how many, or the values"),
+    "large": ({"size": "large"}, "size: expected points"),
+    "several faces": ({"font": ["Times"]}, "font: expected a name"),
+    "one point flat": ({"at": (0.5, 0.5)}, r"at: expected pairs \(u, v\)"),
+    "axes of space": ({"axes": 3}, "axes: expected plain axes"),
     "style": ({"style": "fancy"}, "style: expected standard or journal"),
     "view": ({"view": "askew"}, "view: expected"),
 }
@@ -267,6 +291,8 @@ def test_lines_scans_and_named_curves_are_drawn_by_themselves(boot):
     drawn = quintrig.plot(scan, ["K", "point_type"], colours="viridis", limits=(-1e-4, 1e-4))
     assert {"hood", "Gaussian curvature $K$", "Point type"} <= set(words(drawn))
     assert "hood" not in words(quintrig.plot(scan, style="journal"))
+    wide, tall = quintrig.plot(scan, ["K", "point_type"], width="column").get_size_inches()  # one below the other
+    assert tall > wide == pytest.approx(84.0 / 25.4)
     curves = quintrig.Model.of_curves([PLANE])
     assert quintrig.plot(curves.curves[0], "comb").axes
     with pytest.raises(ValueError, match="'comb' is drawn of curves, and here are surfaces; draw a quantity"):

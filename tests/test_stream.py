@@ -69,7 +69,7 @@ def test_what_cannot_be_is_refused_before_the_first_block(nu, nv, keys):
 
 def test_zarr_holds_the_values_with_units(tmp_path, small_blocks):
     zarr = pytest.importorskip("zarr")
-    out = write_zarr(POLE, tmp_path / "new" / "a.zarr", 23, 11, (*KEYS, "gaussian"), unit="mm")
+    out = write_zarr(POLE, tmp_path / "new" / "a.zarr", 23, 11, (*KEYS, "K"), unit="mm")
     group = zarr.open_group(str(out), mode="r")
     whole = quintrig.analyse(POLE, *quintrig.grid(23, 11))
     for key in KEYS:
@@ -87,7 +87,7 @@ def test_zarr_holds_the_values_with_units(tmp_path, small_blocks):
 def test_parquet_holds_a_row_a_point_with_units(tmp_path, small_blocks):
     pl = pytest.importorskip("polars")
     pytest.importorskip("pyarrow")
-    out = write_parquet(POLE, tmp_path / "new" / "a.parquet", 23, 11, (*KEYS, "gaussian"), unit="mm")
+    out = write_parquet(POLE, tmp_path / "new" / "a.parquet", 23, 11, (*KEYS, "K"), unit="mm")
     table = pl.read_parquet(out)
     whole = quintrig.analyse(POLE, *quintrig.grid(23, 11))
     assert table.columns == ["u", "v", "gaussian", "normal_x", "normal_y", "normal_z", "hk_type"]

@@ -10,7 +10,8 @@ import pytest
 
 import quintrig
 from quintrig.analysis.table import STANDARD, tabulate
-from quintrig.exchange.tables import WRITERS, shown, to_csv, to_json, to_latex, to_markdown
+from quintrig.exchange.latex import to_latex
+from quintrig.exchange.tables import WRITERS, shown, to_csv, to_json, to_markdown
 from quintrig.quantities.table import BY_KEY, QUANTITIES
 
 SECTION = [[0, 0, 0], [2, 0, 1], [4, 0, 3], [6, 0, 3], [8, 0, 1], [10, 0, 0]]

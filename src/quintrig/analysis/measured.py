@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import overload
+from typing import Any, overload
 
 import numpy as np
 
@@ -11,6 +11,8 @@ from quintrig.analysis.extremes import Extremes
 from quintrig.analysis.integrate import Integrals
 from quintrig.geometry.curve import Curve
 from quintrig.geometry.surface import Surface
+from quintrig.model.model import Model
+from quintrig.model.patch import NamedCurve, Patch
 from quintrig.support.arrays import FloatArray
 from quintrig.support.errors import ArgumentError, nearest
 
@@ -45,31 +47,37 @@ class CurveExtremes:
 
 
 @overload
-def integrals(subject: Surface, tolerance: float = 1e-9, panels: int = 64) -> Integrals: ...
+def integrals(subject: Surface | Patch | Model, tolerance: float = 1e-9, panels: int = 64) -> Integrals: ...
 @overload
-def integrals(subject: Curve, tolerance: float = 1e-9, panels: int = 64) -> CurveIntegrals: ...
-def integrals(subject: Surface | Curve, tolerance: float = 1e-9, panels: int = 64) -> Integrals | CurveIntegrals:
+def integrals(subject: Curve | NamedCurve, tolerance: float = 1e-9, panels: int = 64) -> CurveIntegrals: ...
+def integrals(
+    subject: Surface | Patch | Model | Curve | NamedCurve, tolerance: float = 1e-9, panels: int = 64
+) -> Integrals | CurveIntegrals:
     """Return the integrals over a surface, of a trimmed face over what its loops hold, or along a curve.
 
+    A patch, a curve with a name and a model of one of them stand for what they hold.
     Of a surface two resolutions agree to ``tolerance``, relative to the integral, with at most ``panels`` a side; of a
     curve panels are halved until that changes nothing. Raises ValueError for a tolerance outside [1e-13, 0.1] or fewer
     than 2 panels.
     """
-    if isinstance(subject, Curve):
+    if isinstance(subject := _bare(subject), Curve):
         return CurveIntegrals(subject.length(), subject.bending_energy())
     return integrate.integrals(subject, tolerance, panels)
 
 
 @overload
 def find_extremes(
-    subject: Surface, keys: Sequence[str] | str = _KEYS, samples: int = 65, certified: bool = False
+    subject: Surface | Patch | Model, keys: Sequence[str] | str = _KEYS, samples: int = 65, certified: bool = False
 ) -> dict[str, Extremes]: ...
 @overload
 def find_extremes(
-    subject: Curve, keys: Sequence[str] | str = _KEYS, samples: int = 65, certified: bool = False
+    subject: Curve | NamedCurve, keys: Sequence[str] | str = _KEYS, samples: int = 65, certified: bool = False
 ) -> dict[str, CurveExtremes]: ...
 def find_extremes(
-    subject: Surface | Curve, keys: Sequence[str] | str = _KEYS, samples: int = 65, certified: bool = False
+    subject: Surface | Patch | Model | Curve | NamedCurve,
+    keys: Sequence[str] | str = _KEYS,
+    samples: int = 65,
+    certified: bool = False,
 ) -> dict[str, Extremes] | dict[str, CurveExtremes]:
     """Return minimum, maximum and mean of scalar quantities of a surface, or extreme curvature and torsion of a curve.
 
@@ -78,11 +86,22 @@ def find_extremes(
     bounds that are proved, for quantities of surfaces that have a proof. Raises ValueError
     for an unknown or vector quantity, and for fewer than 2 samples.
     """
-    if isinstance(subject, Curve):
+    if isinstance(subject := _bare(subject), Curve):
         known = ("curvature",) if subject.points.shape[1] == 2 else ("curvature", "torsion")
         wanted = known if keys is _KEYS else [keys] if isinstance(keys, str) else keys
         return {key: _along(subject, key) for key in (_key(name, known) for name in wanted)}
     return extremes.find_extremes(subject, keys, samples, certified)
+
+
+def _bare(subject: Any) -> Surface | Curve:
+    """Return the surface or curve of a patch, named curve or model of one; ValueError for what has none."""
+    part = subject
+    if isinstance(subject, Model):
+        part = subject.curve() if not subject.patches else subject.patch()
+    found = part.surface if isinstance(part, Patch) else part.curve if isinstance(part, NamedCurve) else part
+    if not isinstance(found, Surface | Curve):
+        raise ArgumentError(f"expected a surface or a curve, found {type(subject).__name__}", "subject")
+    return found
 
 
 def _key(name: str, known: Sequence[str]) -> str:

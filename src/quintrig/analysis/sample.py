@@ -38,10 +38,10 @@ class Sample(Pickled):
 
     def __repr__(self) -> str:
         """Return one line: how many points, and which quantities."""
-        points = " x ".join(map(str, self.shape)) or "one"
+        points = f"{' x '.join(map(str, self.shape))} points" if self.shape else "one point"
         names = list(self.values)
         more = f" and {len(names) - 6} more" if len(names) > 6 else ""
-        return f"<Sample at {points} points: {', '.join(names[:6])}{more}>"
+        return f"<Sample at {points}: {', '.join(names[:6])}{more}>"
 
     def _repr_html_(self) -> str:
         """Return what a notebook shows: a table of the first points."""

@@ -45,11 +45,17 @@ def analyse_blocks(
 
     Memory is that of one block, whatever the size of the grid. Raises ValueError for counts below 2 or unknown keys.
     """
-    keys = (quantity(quantities).key,) if isinstance(quantities, str) else tuple(quantity(q).key for q in quantities)
+    keys = _keys(quantities)
     for name, count, most in (("nu", nu, 10**12), ("nv", nv, _WIDEST)):
         if not 2 <= count <= most:
             raise ValueError(f"{name}: expected 2 to {most:,} points, found {count:,}")
     return _blocks(surface, nu, nv, keys, thresholds, threads)
+
+
+def _keys(quantities: Iterable[str] | str) -> tuple[str, ...]:
+    """Return the keys that names and symbols stand for, each once."""
+    names = [quantities] if isinstance(quantities, str) else quantities
+    return tuple(dict.fromkeys(quantity(name).key for name in names))
 
 
 @watched
@@ -58,7 +64,7 @@ def write_zarr(
     out: Path,
     nu: int,
     nv: int,
-    quantities: Iterable[str] = ("gaussian", "mean"),
+    quantities: Iterable[str] | str = ("gaussian", "mean"),
     *,
     unit: str = "",
     thresholds: Thresholds | None = None,
@@ -72,7 +78,7 @@ def write_zarr(
     need("zarr", "writing Zarr")
     import zarr
 
-    keys = tuple(dict.fromkeys(quantities))
+    keys = _keys(quantities)
     blocks = analyse_blocks(surface, nu, nv, keys, thresholds=thresholds)
 
     def fill(folder: Path) -> None:
@@ -106,7 +112,7 @@ def write_parquet(
     out: Path,
     nu: int,
     nv: int,
-    quantities: Iterable[str] = ("gaussian", "mean"),
+    quantities: Iterable[str] | str = ("gaussian", "mean"),
     *,
     unit: str = "",
     thresholds: Thresholds | None = None,
@@ -121,7 +127,7 @@ def write_parquet(
     from pyarrow import parquet
 
     pa, pq = cast(Any, pyarrow), cast(Any, parquet)  # pyarrow carries no types
-    keys = tuple(dict.fromkeys(quantities))
+    keys = _keys(quantities)
     blocks = analyse_blocks(surface, nu, nv, keys, thresholds=thresholds)
     v = np.linspace(0.0, 1.0, nv)
 

@@ -7,9 +7,9 @@ from typing import Literal
 import numpy as np
 from matplotlib.figure import Figure
 
-from quintrig.figure.curve import MARGIN, POLYGON, SAMPLES, automatic_labels, dress, family_colours, origin_note
+from quintrig.figure.curve import POLYGON, SAMPLES, automatic_labels, dress, family_colours, origin_note, plot_axes
 from quintrig.figure.legend import draw_class_list, list_height
-from quintrig.figure.sheet import sheet
+from quintrig.figure.sheet import Axes, KeyPlace, sheet
 from quintrig.figure.style import STANDARD, Style
 from quintrig.figure.wording import exponent, number_text, with_unit
 from quintrig.geometry.curve import Curve
@@ -35,12 +35,14 @@ def curvature_plot(
     unit: str = "",
     width: float = 5.0,
     style: Style = STANDARD,
+    axes: Axes = None,
 ) -> Figure:
     """Return the curvature over t, or over arc length across joins where two or more curves go on end to end.
 
-    Signed, positive where the curve turns left, if all are plane curves.
+    Signed, positive where the curve turns left, if all are plane curves. With ``axes`` the picture
+    alone is drawn there.
     """
-    return _along(curves, labels, "curvature", title, unit, width, style)
+    return _along(curves, labels, "curvature", title, unit, width, style, axes)
 
 
 def torsion_plot(
@@ -51,9 +53,10 @@ def torsion_plot(
     unit: str = "",
     width: float = 5.0,
     style: Style = STANDARD,
+    axes: Axes = None,
 ) -> Figure:
     """Return the torsion over t, or over arc length across joins; nought for plane curves."""
-    return _along(curves, labels, "torsion", title, unit, width, style)
+    return _along(curves, labels, "torsion", title, unit, width, style, axes)
 
 
 def _along(
@@ -64,6 +67,7 @@ def _along(
     unit: str,
     width: float,
     style: Style,
+    axes: Axes,
 ) -> Figure:
     width = style.across(width)
     labels = labels or automatic_labels(curves)
@@ -86,18 +90,12 @@ def _along(
     if chained:
         notes.append(_jumps(values, unit))
     notes += [line for curve in curves[:1] for line in origin_note(curve)]
-    page = sheet(
-        1,
-        (width - 0.2, 0.55 * width),
-        title=title,
-        note=". ".join(notes),
-        key="below" if labels else "none",
-        key_size=list_height(labels, width),
-        style=style,
-    )
-    left, bottom, right, top = MARGIN
-    area = page.panels[0]
-    axes = area.inside(left, bottom, area.width - left - right, area.height - bottom - top)
+    page = None
+    if axes is None:
+        key: KeyPlace = "below" if labels else "none"
+        size, key_size = (width - 0.2, 0.55 * width), list_height(labels, width)
+        page = sheet(1, size, title=title, note=". ".join(notes), key=key, key_size=key_size, style=style)
+        axes = plot_axes(page.panels[0])
     colours = family_colours(len(curves))
     for place, value, colour in zip(places, values, colours, strict=True):
         axes.plot(place, value, color=colour, linewidth=1.5, zorder=3)
@@ -116,6 +114,8 @@ def _along(
         far if chained else 0,
         power,
     )
+    if page is None:
+        return style.dress(axes)
     if labels:
         draw_class_list(page.keys[0], "", labels, colours)
     return style.finish(page.figure)

@@ -15,11 +15,13 @@ from PIL import Image
 from quintrig.basis.pairs import key_of, symbol
 from quintrig.figure.camera import ViewName
 from quintrig.figure.field import common_limits, facet_fields
-from quintrig.figure.plot import CURVE_PICTURES, curve_picture, plot
+from quintrig.figure.plot import plot
+from quintrig.figure.plot_curves import CURVE_PICTURES, curve_picture
 from quintrig.figure.save import to_png_bytes
 from quintrig.figure.scene import Scene, bounds
 from quintrig.figure.space_curves import curve_traces
 from quintrig.figure.style import Style, changed, style_named
+from quintrig.geometry.curve import Curve
 from quintrig.geometry.surface import Surface
 from quintrig.model.model import Model
 from quintrig.model.patch import NamedCurve, Patch
@@ -65,7 +67,7 @@ class Animation:
 
 @watched
 def animate(
-    subject: Model | Patch | Surface,
+    subject: Model | Patch | Surface | NamedCurve | Curve,
     parameter: str,
     low: float | None = None,
     high: float | None = None,
@@ -93,7 +95,7 @@ def animate(
     if save is not None:
         kind_of(save)
         refuse_unwritable(Path(save))
-    model = subject if isinstance(subject, Model) else _model(subject)
+    model = _model(subject)
     if not 2 <= frames <= MOST:
         raise ArgumentError(f"expected 2 to {MOST} frames, found {frames}", "frames")
     if not 0.1 <= rate <= 60.0:
@@ -142,7 +144,16 @@ def kind_of(path: str | Path) -> str:
     return kind
 
 
-def _model(subject: Patch | Surface) -> Model:
+def _model(subject: Any) -> Model:
+    """Return what is to move as a model; ValueError for what has no shape parameters."""
+    if isinstance(subject, Model):
+        return subject
+    if isinstance(subject, Curve):
+        return Model.of_curves([subject], "curve")
+    if isinstance(subject, NamedCurve):
+        return Model(subject.name, "", (), curves=(subject,))
+    if not isinstance(subject, Patch | Surface):
+        raise ArgumentError(f"expected a model, patch, surface or curve, found {type(subject).__name__}", "subject")
     patch = subject if isinstance(subject, Patch) else Patch.of(subject)
     return Model(patch.name, "", (patch,))
 

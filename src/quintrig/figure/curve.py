@@ -12,7 +12,7 @@ from quintrig.basis.functions import Functions
 from quintrig.basis.pairs import symbol
 from quintrig.figure.legend import draw_class_list, list_height
 from quintrig.figure.palette import INK, SEQUENTIAL, SERIES
-from quintrig.figure.sheet import Area, Axes, sheet
+from quintrig.figure.sheet import Area, Axes, KeyPlace, sheet
 from quintrig.figure.style import STANDARD, Style
 from quintrig.figure.wording import exponent, number_text, with_unit
 from quintrig.geometry.curve import Curve
@@ -43,7 +43,7 @@ def basis_functions(
     page = sheet(len(bases), (each, 0.68 * each), columns=columns, titles=titles, title=title, style=style)
     t = np.linspace(0.0, 1.0, SAMPLES)
     for area, basis in zip(page.panels, bases, strict=True):
-        axes = _plot_axes(area)
+        axes = plot_axes(area)
         values = basis.derivatives(t, 0)[0]
         for i in range(basis.size):
             colour = SERIES[i % len(SERIES)]
@@ -78,11 +78,13 @@ def plane_curves(
     unit: str = "",
     width: float = 5.0,
     style: Style = STANDARD,
+    axes: Axes = None,
 ) -> Figure:
     """Return plane curves in one picture, such as a family with varying α or ζ, as the thesis's figures 2.2 and 2.3.
 
     ``polygon`` draws each different control polygon with its points P_0, P_1, ..., ``hull`` their convex hull,
-    ``comb`` the curvature combs, all to one scale. Raises ValueError for curves in space.
+    ``comb`` the curvature combs, all to one scale. With ``axes`` the picture alone is drawn there. Raises ValueError
+    for curves in space.
     """
     width = style.across(width)
     labels = labels or automatic_labels(curves)
@@ -103,16 +105,12 @@ def plane_curves(
     if comb:
         text += "; teeth of the comb point away from the centre of curvature, all to one scale"
     text = ". ".join([text, *(line for curve in curves[:1] for line in origin_note(curve))])
-    page = sheet(
-        1,
-        panel,
-        title=title,
-        note=text,
-        key="below" if labels else "none",
-        key_size=list_height(labels, width),
-        style=style,
-    )
-    axes = _plot_axes(page.panels[0])
+    page = None
+    if axes is None:
+        key: KeyPlace = "below" if labels else "none"
+        key_size = list_height(labels, width)
+        page = sheet(1, panel, title=title, note=text, key=key, key_size=key_size, style=style)
+        axes = plot_axes(page.panels[0])
     colours = family_colours(len(curves))
     if hull:
         for curve in different(curves):
@@ -125,6 +123,8 @@ def plane_curves(
     _equal(axes, low, high)
     power = exponent(float(np.abs(points[np.isfinite(points)]).max()))
     dress(axes, with_unit("x", unit, power), with_unit("y", unit, power), power)
+    if page is None:
+        return style.dress(axes)
     if labels:
         draw_class_list(page.keys[0], "", labels, colours)
     return style.finish(page.figure)
@@ -211,7 +211,8 @@ def _hull(axes: Axes, points: FloatArray) -> None:
     axes.fill(outline[:, 0], outline[:, 1], facecolor="#e9eef3", edgecolor="#b9c4cf", linewidth=0.6, zorder=1)
 
 
-def _plot_axes(area: Area) -> Axes:
+def plot_axes(area: Area) -> Axes:
+    """Return axes on an area with room for their numbers and names."""
     left, bottom, right, top = MARGIN
     return area.inside(left, bottom, area.width - left - right, area.height - bottom - top)
 

@@ -9,22 +9,21 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from quintrig.analysis.sample import Sample
-from quintrig.figure.along import curvature_plot, torsion_plot
 from quintrig.figure.camera import ViewName, read_view
 from quintrig.figure.compared import projections
-from quintrig.figure.curve import plane_curves
 from quintrig.figure.deviation import deviation_picture
 from quintrig.figure.field import Field, common_limits, facet_fields, levels_of, natural_scale
 from quintrig.figure.flat import draw_map, map_axes, map_fields
 from quintrig.figure.legend import draw_key, key_room
-from quintrig.figure.read_lines import staged, traces_of
+from quintrig.figure.plot_curves import CURVE_PICTURES, picture_of_curves
+from quintrig.figure.read_lines import marks_at, staged, traces_of
 from quintrig.figure.save import DPI, kind_of
 from quintrig.figure.save import save as write
 from quintrig.figure.scan import scan_picture
 from quintrig.figure.scene import Scene, Trace, thinned
 from quintrig.figure.sheet import sheet
 from quintrig.figure.space import draw_space
-from quintrig.figure.space_curves import curve_traces, space_curves
+from quintrig.figure.space_curves import curve_traces
 from quintrig.figure.style import Style, changed, style_named
 from quintrig.figure.whole import flat_map, map_panels, panels, space_picture
 from quintrig.figure.zebra import zebra_picture
@@ -38,7 +37,7 @@ from quintrig.quantities.table import quantity as row
 from quintrig.scan.curvature import ScanCurvature, scan_curvature
 from quintrig.scan.deviation import Deviation
 from quintrig.scan.scan import Scan
-from quintrig.support.errors import ArgumentError, nearest
+from quintrig.support.errors import ArgumentError
 from quintrig.support.tolerance import SAME_COLOUR
 
 Subject = (
@@ -55,11 +54,6 @@ Subject = (
     | ScanCurvature
     | Deviation
 )
-
-CURVE_PICTURES = ("curve", "comb", "hull", "curvature", "torsion")
-"""What is drawn of curves."""
-
-_SYMBOLS = {"κ": "curvature", "kappa": "curvature", "τ": "torsion", "tau": "torsion"}
 
 _ARROWS = 8  # patches of which each shows its normal; of more the arrows would hide them
 
@@ -110,13 +104,13 @@ def plot(
     """
     seen = None if view is None else read_view(view, ("all", "flat"))
     chosen = changed(
-        style_named(style) if isinstance(style, str) else style,
+        style if isinstance(style, Style) else style_named(style),
         title=title,
         caption=caption,
         limits=limits,
         percentiles=percentiles,
         colours=colours,
-        levels=levels if levels is None or isinstance(levels, int) else tuple(levels),
+        levels=levels,
         font=font,
         size=size,
         view=None if view in ("all", "flat") else seen,
@@ -127,7 +121,11 @@ def plot(
     )
     if save is not None:
         kind_of(save)
-    names = [quantity] if isinstance(quantity, str) else list(quantity)
+    names = [quantity] if isinstance(quantity, str) else list(quantity or ())
+    if not names:
+        raise ArgumentError("expected a key or symbol, such as K, found none", "quantity")
+    if axes is not None and getattr(axes, "name", "") != "rectilinear":
+        raise ArgumentError("expected plain axes of matplotlib, in which space is drawn too", "axes")
     several = view if view in ("all", "flat") else ""
     figure = _figure(subject, names, str(several), lines, _page(subject, heading, unit, chosen), axes)
     if save is not None:
@@ -143,8 +141,8 @@ def _figure(
         return _of_sample(subject, names, page, axes)
     if isinstance(subject, Surface | Patch) or (isinstance(subject, Model) and subject.patches):
         return _of_surfaces(subject, names, several, lines, page, axes)
-    if axes is not None:
-        raise ArgumentError("expected a surface, patch, model of surfaces or sample to draw there", "axes")
+    if axes is not None and isinstance(subject, Scan | ScanCurvature | Deviation):
+        raise ArgumentError("expected a surface, model, curve, sample or lines to draw there, found a scan", "axes")
     if several:
         raise ArgumentError(f"expected one view in space, got {several!r}: it belongs to surfaces", "view")
     if isinstance(subject, Deviation):
@@ -154,14 +152,20 @@ def _figure(
         subject = scan_curvature(subject) if keys and isinstance(subject, Scan) else subject
         return scan_picture(subject, keys, title=page.heading, style=page.style)
     if isinstance(subject, Lines | Line):
-        drawn = Lines(subject.label, (subject,), "", "", page.unit, 0.0) if isinstance(subject, Line) else subject
-        if list(names) != ["surface"]:
-            raise ArgumentError(f"expected nothing else for lines, got {','.join(names)[:40]!r}", "quantity")
-        if not len(drawn):
-            raise ArgumentError("expected at least one line, found none", "subject")
-        scene = Scene(traces=traces_of(None, drawn))
-        return space_picture([], None, scene, title=page.heading, unit=page.unit, style=page.style)
-    return _of_curves(subject, names, page)
+        return _of_lines(subject, names, page, axes)
+    return picture_of_curves(subject, names, title=page.heading, unit=page.unit, style=page.style, axes=axes)
+
+
+def _of_lines(subject: Lines | Line, names: Sequence[str], page: _Page, axes: Any) -> Figure:
+    drawn = Lines(subject.label, (subject,), "", "", page.unit, 0.0) if isinstance(subject, Line) else subject
+    if list(names) != ["surface"]:
+        raise ArgumentError(f"expected nothing else for lines, got {','.join(names)[:40]!r}", "quantity")
+    if not len(drawn):
+        raise ArgumentError("expected at least one line, found none", "subject")
+    scene = Scene(traces=traces_of(None, drawn))
+    if axes is not None:
+        return _on_axes(axes, [], [None], scene, "", page)
+    return space_picture([], None, scene, title=page.heading, unit=page.unit, style=page.style)
 
 
 def _of_surfaces(
@@ -174,7 +178,9 @@ def _of_surfaces(
 ) -> Figure:
     style, surfaces = page.style, _surfaces(subject)
     _refuse_pictures_of_curves(subject, names)
-    if list(names) == ["zebra"] and axes is None and not several:
+    if list(names) == ["zebra"] and not several:
+        if axes is not None:
+            raise ArgumentError("zebra stripes are drawn on a figure of their own", "axes", remedy="leave it out")
         return zebra_picture(surfaces, title=page.heading, unit=page.unit, style=style)
     keys = read_quantities(names)
     wanted = style.lines if lines is None else lines
@@ -266,12 +272,12 @@ def _on_axes(
         fields = map_fields(surfaces, key)
         stretch = common_limits(fields, style)
         draw_map(axes, surfaces[0], fields[0], stretch, scene.marks, levels=levels_of(style, stretch))
-        return axes.figure
+        return style.dress(axes)
     fields = facet_fields(surfaces, key, scene.cells)
     stretch = common_limits(fields, style)
     levels = levels_of(style, stretch)
     draw_space(axes, surfaces, scene, fields=fields, stretch=stretch, unit=page.unit, levels=levels)
-    return axes.figure
+    return style.dress(axes)
 
 
 def _of_sample(sample: Sample, names: Sequence[str], page: _Page, axes: Any) -> Figure:
@@ -291,46 +297,14 @@ def _of_sample(sample: Sample, names: Sequence[str], page: _Page, axes: Any) -> 
     inside = np.broadcast_to(sample.surface.inside(u, v), sample.shape)
     field = Field(q, u[:, 0], v[0], values, scale, np.full(sample.shape, SAME_COLOUR * scale), inside)
     stretch = common_limits([field], style)
+    levels, marks = levels_of(style, stretch), marks_at(style.at)
     if axes is not None:
-        draw_map(axes, sample.surface, field, stretch, zeros={})
-        return axes.figure
+        draw_map(axes, sample.surface, field, stretch, marks, {}, levels)
+        return style.dress(axes)
     width = style.across(5.0)
     place, key_size = key_room([field], width)
     side = width - 0.2 - (key_size if place == "right" else 0.0)
     drawn = sheet(1, (side, side), title=page.heading, key=place, key_size=key_size, style=style)
-    draw_map(map_axes(drawn.panels[0]), sample.surface, field, stretch, zeros={})
+    draw_map(map_axes(drawn.panels[0]), sample.surface, field, stretch, marks, {}, levels)
     draw_key(drawn.keys[0], [field], stretch, page.unit)
     return style.finish(drawn.figure)
-
-
-def curve_picture(names: Sequence[str], known: Sequence[str] = CURVE_PICTURES, of: str = "curves") -> str:
-    """Return which of the ``known`` pictures of curves a name or symbol asks for; ValueError for others."""
-    found = ",".join(names)[:40]
-    what = "curve" if list(names) == ["surface"] else _SYMBOLS.get(found, found)
-    if what not in known:
-        hint = nearest(found, known)
-        raise ArgumentError(f"expected, for {of}, one of {', '.join(known)}, got {found!r}{hint}", "quantity")
-    return what
-
-
-def _of_curves(
-    subject: Curve | NamedCurve | Sequence[Curve | NamedCurve] | Model, names: Sequence[str], page: _Page
-) -> Figure:
-    if isinstance(subject, Curve | NamedCurve):
-        parts: list[Curve | NamedCurve] = [subject]
-    else:
-        parts = list(subject.curves) if isinstance(subject, Model) else list(subject)
-    curves = [one.curve if isinstance(one, NamedCurve) else one for one in parts]
-    named = [one for one in parts if isinstance(one, NamedCurve)]
-    labels = [one.label if len(parts) == 1 else f"{one.name}: {one.label}" for one in named]
-    labels = labels if len(named) == len(parts) else []
-    if not curves:
-        raise ArgumentError("expected at least one curve, found none", "subject")
-    what = curve_picture(names)
-    title, unit, style = page.heading, page.unit, page.style
-    if what in ("curvature", "torsion"):
-        along = curvature_plot if what == "curvature" else torsion_plot
-        return along(curves, labels, title=title, unit=unit, style=style)
-    draw = plane_curves if all(curve.points.shape[1] == 2 for curve in curves) else space_curves
-    hull, comb = what == "hull", what == "comb"
-    return draw(curves, labels, hull=hull, comb=comb, title=title, unit=unit, style=style)

@@ -19,6 +19,7 @@ from quintrig.scan.curvature import ScanCurvature
 from quintrig.scan.scan import Scan
 from quintrig.support.arrays import FloatArray
 
+_LEAST = 3.0  # inches across a picture with its scale
 _ROOM = 0.78  # of the axes: numbers and names stand outside
 _END_ON = 0.98  # cosine: an axis seen so has no room for numbers
 _MOST = 60_000  # points or triangles drawn
@@ -40,9 +41,12 @@ def scan_picture(
     width, view = style.across(width), view if style.view is None else read_view(style.view)
     scan = subject.scan if isinstance(subject, ScanCurvature) else subject
     count = max(len(keys), 1)
-    figure = Picture(figsize=(width, (0.78 if count == 1 else 0.42) * width), layout="constrained")
+    columns = max(1, min(count, int(width / _LEAST)))
+    rows = -(-count // columns)
+    high = (0.78 if columns == 1 else 0.84) * width / columns
+    figure = Picture(figsize=(width, rows * high), layout="constrained")
     for index, key in enumerate(keys or ("",)):
-        axes: Any = figure.add_subplot(1, count, index + 1, projection="3d")
+        axes: Any = figure.add_subplot(rows, columns, index + 1, projection="3d")
         axes.view_init(elev=view.elevation, azim=view.azimuth)
         axes.set_proj_type("ortho")  # as all pictures in space, with true proportions
         if not key or not isinstance(subject, ScanCurvature):
@@ -84,7 +88,9 @@ def _coloured(figure: Any, axes: Any, found: ScanCurvature, q: Quantity, style: 
         colours = class_colours(values, q.key)
         there = [int(code) for code in np.unique(values)]
         patches = [Patch(color=colours[int(np.argmax(values == code))], label=q.classes[code]) for code in there]
-        axes.legend(handles=patches, fontsize=6, loc="upper left")
+        axes.legend(
+            handles=patches, fontsize=6, loc="upper center", bbox_to_anchor=(0.5, -0.06), ncols=2, frameon=False
+        )
         return colours
     inner = np.where(found.border, np.nan, values)  # borders are worse, and would stretch the scale
     stretch = stretched([inner], q, style)

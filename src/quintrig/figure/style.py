@@ -5,6 +5,7 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
+from numbers import Integral, Real
 from typing import Any
 
 import matplotlib
@@ -32,6 +33,36 @@ LEAST_DPI, MOST_DPI = 30, 600
 """Dots per inch of PNG files."""
 
 _SERIF = {"serif", "times", "times new roman", "stixgeneral"}
+
+
+def _require_kinds(given: Mapping[str, Any]) -> None:
+    """Raise ValueError for what is no number or name, or not as many as are needed."""
+    pairs = {name: given[name] is None or _numbers(given[name], 2) for name in ("limits", "percentiles")}
+    words = {name: isinstance(given[name], str) for name in ("font", "colours")}
+    kinds = {
+        "two numbers": pairs,
+        "how many, or the values": {"levels": isinstance(given["levels"], Integral) or _numbers(given["levels"])},
+        "pairs (u, v)": {"at": all(_numbers(one, 2) for one in given["at"])},
+        "points": {"size": isinstance(given["size"], Real)},
+        "a name": words,
+    }
+    for expected, found in kinds.items():
+        for name, right in found.items():
+            if not right:
+                raise ArgumentError(f"expected {expected}, found {given[name]!r:.40}", name)
+
+
+def _numbers(value: Any, count: int | None = None) -> bool:
+    """Return whether a value is a sequence of so many numbers."""
+    try:
+        found = tuple(value)
+    except TypeError:
+        return False
+    return all(isinstance(one, Real) for one in found) and count in (None, len(found))
+
+
+def _whole(levels: Any) -> int | tuple[float, ...]:
+    return int(levels) if isinstance(levels, Integral) else tuple(levels)
 
 
 @dataclass(frozen=True)
@@ -69,6 +100,9 @@ class Style:
 
     def __post_init__(self) -> None:
         """Check once, at birth; ValueError in one line."""
+        _require_kinds(vars(self))
+        if not isinstance(self.levels, tuple):  # NumPy has whole numbers and sequences of its own
+            object.__setattr__(self, "levels", _whole(self.levels))
         if self.limits is not None and not -math.inf < self.limits[0] < self.limits[1] < math.inf:
             raise ArgumentError(
                 f"expected two rising finite numbers, found {self.limits[0]:g} and {self.limits[1]:g}", "limits"
@@ -128,15 +162,27 @@ class Style:
 
     def finish(self, figure: Figure) -> Figure:
         """Set the fonts of a figure, and enlarge it with all that is on it by ``factor``."""
+        drawn: Any = figure
+        self._set_letters(figure, drawn.axes)
+        if self.factor != 1.0:
+            drawn.set_size_inches(*(self.factor * side for side in drawn.get_size_inches()))
+        return figure
+
+    def dress(self, axes: Any) -> Figure:
+        """Set the fonts of one picture on a figure that is another's, which keeps its size; return that figure."""
+        self._set_letters(axes, [axes])
+        return axes.figure
+
+    def _set_letters(self, drawn: Any, pictures: Sequence[Any]) -> None:
+        """Set the fonts of what is drawn, and the sizes of its letters, lines and marks."""
         if self.font:
             family = [self.font, "DejaVu Sans"]
             formulas = "stix" if self.font.lower() in _SERIF else "dejavusans"
-            for text in _texts(figure):
+            for text in _texts(drawn):
                 text.set_fontfamily(family)
                 text.set_math_fontfamily(formulas)
         if self.factor != 1.0:
-            _enlarge(figure, self.factor)
-        return figure
+            _enlarge(drawn, pictures, self.factor)
 
 
 STANDARD = Style()
@@ -150,7 +196,7 @@ STYLES = {"standard": STANDARD, "journal": JOURNAL}
 
 def style_named(name: str) -> Style:
     """Return a style by its name; ValueError naming those there are."""
-    if name not in STYLES:
+    if name not in tuple(STYLES):
         raise ArgumentError(f"expected {' or '.join(STYLES)}, found {name!r}", "style")
     return STYLES[name]
 
@@ -189,16 +235,15 @@ def _require(font: str) -> None:
         raise ArgumentError(f"{font!r} is not installed{hint}", "font")
 
 
-def _texts(figure: Any) -> Sequence[Any]:
-    return figure.findobj(Text)
+def _texts(drawn: Any) -> Sequence[Any]:
+    return drawn.findobj(Text)
 
 
-def _enlarge(figure: Figure, factor: float) -> None:
-    """Make a figure larger with its letters, lines and marks; axes keep their places on it."""
-    drawn: Any = figure
-    for text in _texts(figure):
+def _enlarge(drawn: Any, pictures: Sequence[Any], factor: float) -> None:
+    """Make letters, lines and marks larger; the pictures keep their places."""
+    for text in _texts(drawn):
         text.set_fontsize(text.get_fontsize() * factor)
-    for axes in drawn.axes:
+    for axes in pictures:
         for axis in (axes.xaxis, axes.yaxis):
             ticks = axis.get_major_ticks()
             if ticks:
@@ -215,4 +260,3 @@ def _enlarge(figure: Figure, factor: float) -> None:
             collection.set_linewidths([width * factor for width in collection.get_linewidths()])
             if hasattr(collection, "set_sizes"):
                 collection.set_sizes([size * factor**2 for size in collection.get_sizes()])
-    drawn.set_size_inches(*(factor * side for side in drawn.get_size_inches()))

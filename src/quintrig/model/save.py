@@ -19,6 +19,9 @@ def save(model: Model, path: str | Path) -> Path:
     Where a TOML file is there already, its comments and what did not change stay as they are. Raises ModelError for
     another ending, QuintrigError where the file cannot be written.
     """
+    if not isinstance(model, Model):  # pyright: ignore[reportUnnecessaryIsInstance]
+        hint = "quintrig.Model(name, unit, (patch,)) holds a patch, Model.of_curves curves"
+        raise ModelError(f"model: expected a model, found {type(model).__name__}; {hint}")
     path = Path(path)
     suffix = path.suffix.lower()
     if suffix not in (".toml", ".json"):

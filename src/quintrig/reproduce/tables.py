@@ -3,12 +3,12 @@
 import csv
 import io
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from quintrig.analysis.sample import analyse
-from quintrig.analysis.table import tabulate
+from quintrig.analysis.table import Column, Table, tabulate
 from quintrig.exchange.latex import to_latex
 from quintrig.exchange.tables import shown
 from quintrig.geometry.domain import grid
@@ -61,8 +61,12 @@ def tables(item: Item) -> tuple[PrintedTable, ...]:
 
 def _signs(number: str) -> PrintedTable:
     table = next(table for table in SIGN_TABLES if table.number == number)
-    text = _csv([table.columns, *table.rows])
-    return PrintedTable(table.title, table.columns, table.rows, (f"Source: {table.source}.",), ((".csv", text),))
+    notes = (f"Source: {table.source}.",)
+    files = (
+        (".csv", _csv([table.columns, *table.rows])),
+        (".tex", _latex(table.title, table.columns, table.rows, notes)),
+    )
+    return PrintedTable(table.title, table.columns, table.rows, notes, files)
 
 
 def _validation(item: Item) -> PrintedTable:
@@ -99,7 +103,9 @@ def _validation(item: Item) -> PrintedTable:
         "Over 129 x 129 points, without the poles of the sphere, where this parametrisation has no tangent plane. "
         "The normal points outwards, so that H, κ1 and κ2 are negative."
     )
-    return PrintedTable("Computed against closed form", heads, tuple(rows), (note,), ((".csv", _csv([heads, *rows])),))
+    title = "Computed against closed form"
+    files = ((".csv", _csv([heads, *rows])), (".tex", _latex(title, heads, rows, (note,))))
+    return PrintedTable(title, heads, tuple(rows), (note,), files)
 
 
 def _data(item: Item) -> Iterator[PrintedTable]:
@@ -115,14 +121,29 @@ def _data(item: Item) -> Iterator[PrintedTable]:
         columns = table.columns
         heads = ("point", *(column.heading for column in columns))
         rows = [(label, *(shown(column.rounded[i]) for column in columns)) for i, label in enumerate(points)]
+        named = replace(table, columns=(_column("point", tuple(points)), *columns), lead=table.lead + 1)
         exact = [heads, *((label, *map(str, row)) for label, row in zip(points, table.rows, strict=True))]
         yield PrintedTable(
             f"Shape parameters {spelt}" if spelt else base.name,
             heads,
             tuple(rows),
             table.notes,
-            ((".csv", _csv(exact)), (".tex", to_latex(table))),
+            ((".csv", _csv(exact)), (".tex", to_latex(named))),
         )
+
+
+def _latex(title: str, heads: Sequence[str], rows: Sequence[tuple[str, ...]], notes: tuple[str, ...]) -> str:
+    columns = (_column(head, cells) for head, cells in zip(heads, zip(*rows, strict=True), strict=True))
+    return to_latex(Table(title, notes, tuple(columns), lead=1))
+
+
+def _column(head: str, cells: tuple[str, ...]) -> Column:
+    """Return a column of numbers where all cells are, else of text."""
+    try:
+        values: tuple[float, ...] | tuple[str, ...] = tuple(float(cell) for cell in cells)
+    except ValueError:
+        values = cells
+    return Column(head, head, rf"\mathrm{{{head.replace(' ', '~')}}}", head, "", values, values)
 
 
 def _csv(rows: Sequence[Sequence[str]]) -> str:
