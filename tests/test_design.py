@@ -210,7 +210,11 @@ def test_a_stopped_search_keeps_the_best_and_goes_on(tmp_path):
         ({"vary": {"shape": True}}, r"no shape parameters"),
         ({"vary": {"points": 3.0}}, r"no control points to vary"),
         ({"demand": ["gaussian >= 0"]}, r"unknown key 'demand'; did you mean 'demands'"),
-        ({"through": [{"point": [0, 0]}]}, r"through 1: point"),
+        ({"through": [{"point": [0, 0]}]}, r"through 1: point: expected at least 3 numbers, got"),
+        (
+            {"target": [{"points": [[0, 0, 0]], "within": -1.0}]},
+            r"target 1: within: expected a number greater than 0, got -1",
+        ),
         ({"through": [{"point": [0, 0, 0], "u": 0.5}]}, r"u and v both"),
         ({"tangent": [{"u": 0, "v": 0, "normal": [0, 0, 0]}]}, r"expected a direction"),
         ({"target": [{"file": "none.csv"}], "minimise": "deviation"}, r"none.csv"),

@@ -102,6 +102,20 @@ def test_the_caption_is_short_and_notes_stand_below():
     assert tex.index("A note.") > tex.index(r"\bottomrule")
 
 
+def test_round_numbers_need_no_power_of_ten():
+    column = Column("a", "a", "a", "a", "", (100.0, 28.3), (100.0, 28.3))
+    assert all("$100$" in to_latex(Table("", (), (column,), 1), digits=digits) for digits in (2, 1))
+    assert "\n100 " in to_latex(Table("", (), (column,), 1), digits=2, siunitx=True)
+
+
+def test_notes_longer_than_a_page_go_on_over_pages(tmp_path):
+    column = Column("a", "a", "a", "a", "", (1.0,), (1.0,))
+    notes = tuple(f"Patch {i}: the normal points along S_u × S_v, which the words of this note say." for i in range(99))
+    log = compiled(to_latex(Table("Many", notes, (column,), 1)), tmp_path)
+    assert "Overfull" not in log
+    assert "Float too large" not in log
+
+
 @pytest.mark.parametrize("digits", [0, 18])
 def test_digits_have_limits(digits):
     with pytest.raises(ValueError, match="digits: expected 1 to 17"):

@@ -1,6 +1,7 @@
 """``quintrig.plot`` and the style of pictures: what is asked for is drawn, and PDFs carry fonts that may be printed."""
 
 import re
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -105,6 +106,35 @@ def test_a_width_is_that_of_the_figure(boot):
         )
 
 
+@pytest.mark.parametrize("options", [{}, {"view": "flat"}])
+def test_in_a_column_the_key_stands_below_so_that_the_picture_has_the_width(boot, options):
+    for width, below in (("column", True), ("page", False)):
+        first, *_, last = quintrig.plot(boot, "hk_type", width=width, **options).axes
+        picture, key = (axes.get_position(original=True) for axes in (first, last))
+        assert (key.y1 < picture.y0 + 1e-6) == below
+        assert (key.x0 > picture.x1 - 1e-6) != below
+
+
+def test_names_of_keys_stay_apart_and_ticks_of_a_stretched_shape_index_on_its_bar(boot):
+    style = quintrig.Style(width="page", percentiles=(2, 98))
+    figure = quintrig.plot(boot, ["K", "kappa1", "S"], style=style)
+    renderer = figure.canvas.get_renderer()
+    bars = [axes for axes in figure.axes if axes.get_xlabel()]
+    spans = sorted((box.x0, box.x1) for box in (axes.xaxis.label.get_window_extent(renderer) for axes in bars))
+    assert len(spans) == 3
+    assert all(first[1] < second[0] for first, second in pairwise(spans))
+    low, high = bars[-1].get_xlim()
+    assert (low, high) != (-1.0, 1.0)
+    assert all(low <= tick <= high for tick in bars[-1].get_xticks())
+
+
+def test_curves_take_symbols_and_name_what_is_near():
+    curve = quintrig.Curve([[0, 0], [10, 40], [40, 50], [60, -10], [90, 0], [100, 30]])
+    assert "curvature" in quintrig.plot(curve, "κ").axes[0].get_ylabel()
+    with pytest.raises(ValueError, match="did you mean 'curvature'"):
+        quintrig.plot(curve, "curvatur")
+
+
 def test_larger_letters_leave_the_width_and_grow_in_proportion(boot):
     small, large = (quintrig.plot(boot, "K", view="flat", width=5, size=size) for size in (7.5, 15.0))
     assert small.get_size_inches()[0] == pytest.approx(large.get_size_inches()[0])
@@ -151,6 +181,8 @@ MISTAKES = {
     "font": ({"font": "No Such Face"}, "is not installed"),
     "colours": ({"colours": "virids"}, "did you mean 'viridis'"),
     "width": ({"width": "3 furlongs"}, "width: expected a length"),
+    "too narrow for its letters": ({"width": "40 mm"}, "width: expected at least 51 mm for numbers of 7.5 points"),
+    "too large letters": ({"width": "column", "size": 16}, "width: expected at least 109 mm"),
     "narrow": ({"width": 0.2}, "width: expected 1 to 20 inches"),
     "size": ({"size": 99}, "size: expected 4 to 24 points"),
     "levels": ({"levels": [1, 0]}, "levels: expected rising"),

@@ -207,6 +207,24 @@ def test_a_strip_of_planes_is_developable_by_construction_and_curves_as_sampled(
         assert found.maximum[1] - sample[key].max() < 2e-3 * np.abs(sample[key]).max()
 
 
+@pytest.mark.parametrize("lift", [0.0, 0.1])
+def test_folds_are_refuted_where_the_normal_turns_over(lift):
+    x, y = np.meshgrid(np.linspace(0, 3, 6), np.linspace(0, 3, 6), indexing="ij")
+    net = np.stack([x, y, lift * y * y], axis=-1)
+    net[2:4, :, 0] = net[3:1:-1, :, 0] + [[0.7], [-0.7]]
+    verdict = quintrig.prove(quintrig.tensor(net), "no fold")
+    assert verdict.verdict == "refuted"
+    su, sv = (quintrig.tensor(net).partials(verdict.witness.u, verdict.witness.v, 1)[k] for k in ((1, 0), (0, 1)))
+    assert np.linalg.norm(np.cross(su, sv)) < 1e-2
+    assert quintrig.prove(quintrig.tensor(np.stack([x, y, 0.1 * x * y], axis=-1)), "no fold").proved
+
+
+def test_of_what_has_no_normal_anywhere_nothing_is_proved_of_curvature():
+    net = np.linspace(0, 1, 36).reshape(6, 6, 1) * np.array([1.0, 0.0, 0.0])
+    assert quintrig.prove(quintrig.tensor(net), "regular").verdict == "refuted"
+    assert quintrig.prove(quintrig.tensor(net), "gaussian >= 0").verdict == "undecided"
+
+
 def strip(bounds, cone=0.3):
     """Return a strip of planes that touch a cone-like surface, cut by two bounding planes."""
     angle = np.radians(np.linspace(0, 60, 6))

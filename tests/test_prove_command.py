@@ -73,6 +73,8 @@ def test_the_text_names_the_place_and_the_unit(ball):
         ("slope <= 1 rad", -np.inf, 180.0 / np.pi),
         ("draft >= 3° along x", 3.0, np.inf),
         ("gaussian in [0, 2]", 0.0, 2.0),
+        ("draft in [-5, 5] deg along -z", -5.0, 5.0),
+        ("curvature radius in [3, 4] cm", 30.0, 40.0),
     ],
 )
 def test_claims_are_read_in_their_own_unit(claim, low, high):
@@ -95,6 +97,9 @@ def test_claims_are_read_in_their_own_unit(claim, low, high):
         ("0 < gaussian > 1", "expected a range such as"),
         ("1 <= gaussian <= 0", "with some value in it"),
         ("draft >= 1 deg along up", "expected a direction"),
+        ("gaussian > 0 along x", "slope and draft are along a direction, gaussian is not"),
+        ("no fold along x", "no fold is a claim by itself"),
+        ("> 0", "expected a quantity to compare, found none"),
         ("", "expected one such as"),
         ("x" * 300, "expected one such as"),
     ],

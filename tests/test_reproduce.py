@@ -130,6 +130,7 @@ def test_other_files_are_kept(tmp_path):
 
 def test_only_takes_numbers_names_and_keys():
     assert chosen(["4.3"]) == {item.key for item in inventory() if item.number == "4.3"}
-    assert chosen(["Figure 4.3"]) == chosen(["figure-4.3"]) == {"figure-4.3"}
-    with pytest.raises(ValueError, match=r"only: expected the number of a figure or table.*found '9\.99'"):
+    assert chosen(["Figure 4.3"]) == chosen(["figure-4.3"]) == chosen(["Fig.4.3"]) == {"figure-4.3"}
+    assert chosen(["table A1"]) == {"table-A1"}
+    with pytest.raises(ValueError, match=r"only: expected the number of a figure or table.*found '9\.99'.*inventory"):
         chosen(["9.99"])

@@ -21,6 +21,14 @@ TABLES = {
     "weight,z,y,x\n1,3,2,1\n2,6,5,4\n": [[1, 2, 3], [4, 5, 6]],
     "\ufeff1,2,3\r\n4,5,nan\r\n": [[1, 2, 3]],
     "1,2\n4,5\n": [[1, 2], [4, 5]],
+    "scan 7\nX [mm];Y [mm];Z [mm]\n1,5;2;3\n1.004,25;5;6\n": [[1.5, 2, 3], [1004.25, 5, 6]],
+    "1,5 2 3\n4\t5,25 6\n": [[1.5, 2, 3], [4, 5.25, 6]],
+    "Temp,Points:0,Points:1,Points:2\n9,1,2,3\n9,4,5,6\n": [[1, 2, 3], [4, 5, 6]],
+    "# R G B X Y Z\n9 9 9 1 2 3\n9 9 9 4 5 6\n": [[1, 2, 3], [4, 5, 6]],
+    "P1|1|2|3\nP2|4|5|6\n": [[1, 2, 3], [4, 5, 6]],
+    '"x","y","z",\n"1","2","3",\n#N/A,nan,,\n"4","5","6",\n': [[1, 2, 3], [4, 5, 6]],
+    "1.D0 2.D0 3.D0 ! remark\r4.D0 5.D0 6.D0\r": [[1, 2, 3], [4, 5, 6]],
+    "7 1 2 3\n8 4 5 6\n9 7 8 9\n10 0 0 1": [[1, 2, 3], [4, 5, 6], [7, 8, 9], [0, 0, 1]],
 }
 
 
@@ -31,7 +39,9 @@ def test_tables_of_points(text, suffix, tmp_path):
     file.write_text(text, encoding="utf-8", newline="")
     found = quintrig.read_scan(file)
     assert found.points.tolist() == TABLES[text]
-    assert bool(found.notes) == ("nan" in text)
+    assert bool(found.notes) == ("nan" in text or text.startswith("7 1"))
+    file.write_bytes(text.strip("\ufeff").encode("utf-16"))
+    assert quintrig.read_scan(file).points.tolist() == TABLES[text]
 
 
 def test_normals_weights_and_units_are_read(tmp_path):
@@ -42,6 +52,12 @@ def test_normals_weights_and_units_are_read(tmp_path):
     assert found.normals.tolist() == [[0, 0, 1], [0, 1, 0]]
     assert found.in_unit("mm").points[0].tolist() == [10, 20, 30]
     assert quintrig.read_scan(file, "m").unit == "m"
+    file.write_text("x (in),y (in),z (in),r,g,b,Normal:0,Normal:1,Normal:2\n1,2,3,9,9,9,0,0,2\n")
+    found = quintrig.read_scan(file)
+    assert (found.unit, found.normals.tolist()) == ("in", [[0, 0, 1]])
+    file.write_text("# Units: Inches\n1 2 3 250 9 9 0 0 1\n4 5 6 250 9 9 0 1 0\n")
+    found = quintrig.read_scan(file)
+    assert (found.unit, found.normals.tolist()) == ("in", [[0, 0, 1], [0, 1, 0]])
 
 
 @pytest.mark.parametrize("suffix", [".ply", ".stl", ".obj"])
@@ -63,6 +79,9 @@ def test_meshes_come_back(suffix, tmp_path):
         ("a.csv", b"1,2,3\n4,5\n", "row 2: expected 3 numbers"),
         ("a.csv", b"x,y,z\n1,2,3\n4,five,6\n", "row 3: expected a number, got 'five'"),
         ("a.csv", b"1,2,3,4,5\n", "found 5"),
+        ("a.csv", b"depth,temp,p,q\n1,2,3,4\n", "expected columns with the names x, y and z, found depth, temp, p, q"),
+        ("a.csv", b"x (mm),y (mm),z (in)\n1,2,3\n", "expected one unit for x, y and z"),
+        ("a.csv", b'"7","8","9"\n"1,234","5","6"\n', "expected a number, got '1,234'"),
         ("a.csv", b"nan,nan,nan\n", "at least one finite point"),
         ("a.csv", bytes(range(200)), "a.csv: "),
         ("a.ply", b"ply\nformat ascii 1.0\nelement", "a damaged file"),
@@ -104,7 +123,8 @@ def test_curvature_converges_at_the_order_of_theory(degree, neighbours):
 @pytest.mark.parametrize("noise", [0.0, 1e-3])
 def test_errors_hold_what_they_promise(noise):
     points, gaussian, mean = torus(6000)
-    found = quintrig.scan_curvature(points + noise * np.random.default_rng(1).normal(size=points.shape))
+    scatter = np.random.default_rng(1).normal(size=points.shape)
+    found = quintrig.scan_curvature(points + noise * scatter)
     assert (np.abs(found["gaussian"] - gaussian) <= found.errors["gaussian"]).mean() > 0.9
     assert (np.abs(found["mean"] - mean) <= found.errors["mean"]).mean() > 0.9
     assert np.median(found.errors["mean"]) < 0.1  # and are no excuse
@@ -115,6 +135,42 @@ def test_errors_hold_what_they_promise(noise):
     d1, n = found["direction1"], found["normal"]
     known = np.isfinite(d1).all(axis=1)
     assert np.abs(np.einsum("ij,ij->i", d1, n)[known]).max() < 1e-9
+
+
+def test_noise_does_not_hide_what_the_degree_misses():
+    """A band of a sphere with few points: the error is that of the polynomials, beside a little noise."""
+    rng = np.random.default_rng(5)
+    around, z = rng.uniform(0, 2 * np.pi, 900), rng.uniform(-0.95, 0.95, 900)
+    ball = np.stack([np.sqrt(1 - z * z) * np.cos(around), np.sqrt(1 - z * z) * np.sin(around), z], axis=1)
+    for noise in (2e-5, 2e-3):
+        found = quintrig.scan_curvature(ball + noise * rng.normal(size=ball.shape))
+        inner = ~found.border
+        assert (np.abs(found["gaussian"] - 1) <= found.errors["gaussian"])[inner].mean() > 0.93
+        assert (np.abs(z[found.border]) > 0.7).all()
+        assert found.border[np.abs(z) > 0.93].mean() > 0.5  # also among many neighbours, which reach over the hole
+
+
+def test_large_scans_are_taken_in_blocks_and_at_some_of_their_points(monkeypatch):
+    points, _, _ = torus(1200)
+    asked = {"degree": 2, "neighbours": 20}
+    whole = quintrig.scan_curvature(points, **asked)
+    monkeypatch.setattr("quintrig.scan.curvature._BLOCK", 500)
+    told = []
+    blocks = quintrig.scan_curvature(points, **asked, progress=lambda *word: told.append(word[1:]))
+    assert told == [(500, 1200), (1000, 1200), (1200, 1200)]
+    at = np.linspace(0, len(points) - 1, 400).astype(int)
+    some = [quintrig.scan_curvature(one, **asked, most=400) for one in (points, whole.scan)]
+    assert some[0].scan.points.tolist() == points[at].tolist()
+    for found, where in ((blocks, slice(None)), (some[0], at), (some[1], at)):
+        np.testing.assert_allclose(found["mean"], whole["mean"][where], atol=1e-12)
+        np.testing.assert_allclose(found["normal"], whole["normal"][where], atol=1e-12)
+
+
+def test_points_on_a_line_have_no_curvature(tmp_path):
+    with pytest.raises(ValueError, match="found all on a line"):
+        quintrig.scan_curvature(np.arange(60.0).reshape(20, 3))
+    (tmp_path / "p.xyz").write_text("1 2 3\n" * 20)
+    assert "p.xyz: expected points apart from each other" in RUN("table", tmp_path / "p.xyz").err
 
 
 def test_signs_sides_and_borders():

@@ -11,6 +11,8 @@ import quintrig.geometry.nurbs
 from cli_runner import quintrig as command
 from quintrig import umbilics
 from quintrig.enclosures.ball import Ball
+from quintrig.enclosures.boxes import Boxes
+from quintrig.enclosures.turns import Part, turn
 from quintrig.enclosures.zeros import zeros
 
 
@@ -95,7 +97,93 @@ def test_an_umbilic_that_is_not_simple_has_its_index_by_turning():
     assert (one.type, one.index) == ("planar", -1.0)
     assert found.sums[0]["agree"] is True
     assert not found.complete
-    assert "not a simple one" in found.notes[0]
+    assert found.none_elsewhere
+    assert (one.proved, one.directions) == ("index", ())
+    assert one.box[0] < one.u < one.box[2]
+    assert one.box[1] < one.v < one.box[3]
+    assert "the index -1 of a box" in found.notes[0]
+
+
+def power(n, more=lambda x, y: 0 * x):
+    """Return Re (x + iy)^n and something of a higher order."""
+    return lambda x, y: np.real((x + 1j * y) ** n) + more(x, y)
+
+
+@pytest.mark.parametrize(
+    ("z", "degree", "index", "kind"),
+    [
+        # The Hessian of Re (x + iy)^n is a vector that turns n - 2 times against the clock's sense: index -(n - 2)/2.
+        (power(3, lambda x, y: 0.3 * x**4 - x * y**3), 4, -0.5, "planar"),
+        (power(4, lambda x, y: x**5 - 2 * x * x * y**3), 5, -1.0, "planar"),
+        (power(5), 5, -1.5, "planar"),
+        (lambda x, y: 0.5 * (x * x + y * y), 4, 1.0, "other"),  # of revolution: meridians and parallels
+        (lambda x, y: 0.5 * (x * x + y * y) + 0.25 * x**4 + 0.125 * y**4, 4, -1.0, "other"),
+        (lambda x, y: x**4 + y**4, 4, -1.0, "planar"),  # κ1 = κ2 nearly on the diagonals too, but there is no curve
+        (lambda x, y: 0.5 * (x * x + y * y) + x**3 + y**4, 4, -0.5, "other"),
+    ],
+)
+def test_the_index_of_an_umbilic_that_is_not_simple_is_proved(z, degree, index, kind):
+    found = umbilics(height(z, degree=degree))
+    one = min(found.umbilics, key=lambda one: np.linalg.norm(one.point[:2]))
+    assert np.linalg.norm(one.point[:2]) < 1e-3
+    assert (one.index, one.type) == (index, kind)
+    assert one.proved == ("alone" if index == -0.5 and kind == "planar" else "index")
+    assert not found.regions
+    assert found.none_elsewhere
+    assert found.complete is all(one.proved == "alone" for one in found.umbilics)
+    assert found.sums[0]["agree"] is True
+
+
+def test_umbilics_of_revolution_on_a_seam_and_amid_a_patch():
+    for a, b, c in ((2, 1, 1), (1, 2, 2)):  # a long and a flat one, whose axis is that of x: no pole of the parameters
+        found = umbilics(quintrig.ellipsoid(a, b, c))
+        assert sorted(round(float(one.point[0]), 6) for one in found.umbilics) == [-a, a]
+        assert [(one.index, one.type, one.proved) for one in found.umbilics] == [(1.0, "other", "index")] * 2
+        assert [one.curvature for one in found.umbilics] == pytest.approx([-a / b**2] * 2, rel=1e-6)
+        assert found.sums[0]["agree"] is True
+        assert found.none_elsewhere
+        assert not found.complete
+
+
+def test_four_lemons_beside_the_poles_of_the_parameters():
+    a, b, c = 1.000001, 1.0, 2.0
+    found = umbilics(quintrig.ellipsoid(a, b, c))
+    y, z = b * np.sqrt((a * a - b * b) / (c * c - b * b)), c * np.sqrt((c * c - a * a) / (c * c - b * b))
+    points = sorted(np.round(one.point, 9).tolist() for one in found.umbilics)
+    np.testing.assert_allclose(points, sorted([0.0, p * y, q * z] for p in (-1, 1) for q in (-1, 1)), atol=1e-7)
+    assert found.complete
+    assert found.sums[0]["agree"] is True
+
+
+def test_umbilics_do_not_depend_on_unit_place_and_side():
+    x, y = np.meshgrid(np.linspace(-0.6, 0.5, 6), np.linspace(-0.5, 0.6, 6), indexing="ij")
+    net = np.stack([x, y, -0.5 * (x * x + 1.2 * y * y) + 0.3 * x**3 - 0.2 * x * y * y], axis=-1)
+    turn = np.linalg.qr(np.random.default_rng(2).normal(size=(3, 3)))[0]
+    turn *= np.linalg.det(turn)
+    wanted = umbilics(quintrig.tensor(net))
+    assert sorted(one.type for one in wanted.umbilics) == ["lemon", "star"]
+    for scale, at, flip in ((1e-6, 0.0, False), (1e6, 0.0, True), (1.0, 1e6, False)):
+        found = umbilics(quintrig.tensor(scale * net @ turn.T + at, flip=flip))
+        assert found.complete
+        for one, other in zip(found.umbilics, wanted.umbilics, strict=True):
+            assert (one.type, one.index) == (other.type, other.index)
+            assert (one.u, one.v) == pytest.approx((other.u, other.v), abs=1e-6)
+            assert one.curvature * scale * (-1 if flip else 1) == pytest.approx(other.curvature, rel=1e-6)
+
+
+def test_a_flat_part_of_a_face_is_a_region():
+    i, j = np.meshgrid(np.arange(7.0), np.arange(7.0), indexing="ij")
+    knots = [0, 0, 0, 0, 0.25, 0.5, 0.75, 1, 1, 1, 1]
+    points = np.stack([i, j, np.where(i + j > 8, 1.0, 0.0)], axis=-1)
+    found = umbilics(quintrig.geometry.nurbs.nurbs(points, None, (3, 3), (knots, knots)))
+    kinds = [region.kind for region in found.regions]
+    assert kinds == ["region", "curve", "curve"]  # and two edges along which K = H = 0
+    assert np.abs(found.regions[0].points[:, 2]).max() < 1e-9
+    u, v = found.regions[0].uv.T
+    area = 0.5 * abs(np.sum(u * np.roll(v, -1) - v * np.roll(u, -1)))
+    assert area == pytest.approx(6 / 16, abs=0.02)  # of 16 spans, those whose points all lie in the plane
+    assert len(found) < 6
+    assert not found.complete
 
 
 def test_spheres_and_planes_are_told_as_regions():
@@ -143,6 +231,25 @@ def form(function, degree=3):
     scale = comb(degree, np.arange(degree + 1))
     middle = inverse @ function(t[:, None], t[None, :]) @ inverse.T * scale[:, None] * scale
     return Ball(middle, np.full(middle.shape, 1e-13))
+
+
+def test_forms_turn_around_their_zeros_as_often_as_they_must():
+    def parts(function):
+        forms = [
+            form(lambda x, y: np.real(function(x + 1j * y)), 4),
+            form(lambda x, y: np.imag(function(x + 1j * y)), 4),
+        ]
+        return [Part(Boxes.whole(forms), np.full(2, -1.0), np.full(2, 2.0), lambda uv: uv)]
+
+    centre = 0.4 + 0.3j
+    box = np.array([0.3, 0.2]), np.array([0.55, 0.4])
+    for n in range(1, 5):
+        assert turn(parts(lambda z, n=n: (z - centre) ** n), *box) == n
+        assert turn(parts(lambda z, n=n: np.conj(z - centre) ** n), *box) == -n
+    assert turn(parts(lambda z: (z - centre) * np.conj(z - 0.42 - 0.31j)), *box) == 0  # two that are against each other
+    assert turn(parts(lambda z: (z - 0.9) ** 3), *box) == 0
+    assert turn(parts(lambda z: z - 0.3 - 0.3j), *box) is None  # a zero on a side
+    assert turn(parts(lambda z: (z - 0.3 - 1e-13 - 0.3j) ** 2), *box) is None  # and one that rounding may put there
 
 
 def test_a_zero_is_never_told_to_be_alone_beside_another():

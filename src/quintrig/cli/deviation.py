@@ -76,6 +76,7 @@ def deviation(
     """
     from quintrig.exchange.deviation_files import DEVIATION_SUFFIXES
     from quintrig.scan.deviation import deviation as measure
+    from quintrig.support.progress import patient
 
     for file in output or []:
         if file.suffix.lower() not in (*PICTURES, *DEVIATION_SUFFIXES, ".json"):
@@ -90,7 +91,9 @@ def deviation(
             from quintrig.exchange.imports import open_model
 
             aim = open_model(target, face)
-    result = measure(loaded, aim, tolerance=tolerance, align=align, unit="", source=source)
+    with session.progress() as progress:
+        asked: Any = {"tolerance": tolerance, "align": align, "source": source, "progress": patient(progress)}
+        result = measure(loaded, aim, **asked)
     for note in result.notes:
         session.remark(note)
     told = result.to_dict()

@@ -39,6 +39,7 @@ REMEDIES = {
     "convert": "--convert makes it a tensor-product patch",
     "curves": "export the faces as NURBS, or copy a curve with --curve N",
     "faces": "quintrig import {file} --list shows them",
+    "inventory": "'quintrig reproduce --list' shows all",
     "new": "'quintrig new swept' writes one",
     "patch": "(--patch NAME)",
     "pattern": "quintrig flatten writes flat patterns, quintrig joins writes seams",

@@ -14,6 +14,8 @@ if TYPE_CHECKING:
     from quintrig.scan.curvature import ScanCurvature
 
 _SHOWN = 25  # points of a table on the screen
+_SIDED = 20_000  # points that suffice to tell which way the normals of those point
+_MOST = 2_000_000  # points with their curvature, in some minutes and GB
 
 ScanUnit = Annotated[str, typer.Option("--unit", metavar="UNIT", help="Of a scan: its unit, where it states none.")]
 Neighbours = Annotated[
@@ -33,27 +35,43 @@ def is_scan(path: Path) -> bool:
     return path.suffix.lower() in SCAN_SUFFIXES
 
 
-def curvature(path: Path, unit: str, neighbours: int | None = None, degree: int | None = None) -> "ScanCurvature":
-    """Return the curvature of a scan; ModelError or QuintrigError in one line."""
+def curvature(
+    path: Path, unit: str, neighbours: int | None = None, degree: int | None = None, most: int = _MOST
+) -> "ScanCurvature":
+    """Return the curvature of a scan, at no more than ``most`` points; ModelError or QuintrigError in one line."""
     from quintrig.exchange.scans import read_scan
     from quintrig.scan.curvature import scan_curvature
+    from quintrig.support.progress import patient
 
     scan = read_scan(path, unit)
     for note in scan.notes:
         session.remark(note)
-    return scan_curvature(scan, degree=degree, neighbours=neighbours)
+    count = len(scan.points)
+    try:
+        with session.progress() as progress:
+            found = scan_curvature(scan, degree=degree, neighbours=neighbours, most=most, progress=patient(progress))
+    except ValueError as error:
+        if str(error).startswith("points:"):
+            raise ValueError(f"{path}: {str(error).removeprefix('points: ').split('; take kind')[0]}") from None
+        raise
+    if count > most:
+        session.remark(f"curvature at {most:,} of {count:,} points, spread evenly through the file")
+    return found
 
 
-def table_of(found: "ScanCurvature", quantities: Sequence[str] | None, all_points: bool) -> "Table":
-    """Return the table of a scan: of all points, or of some spread evenly through the file for the screen."""
+def on_screen(
+    path: Path, unit: str, neighbours: int | None, degree: int | None, quantities: Sequence[str] | None
+) -> "Table":
+    """Return a table of a few points of a scan."""
     import numpy as np
 
     from quintrig.scan.curvature_table import tabulate_scan
 
+    found = curvature(path, unit, neighbours, degree, _SIDED)
     count = len(found.scan.points)
-    chosen = None if all_points or count <= _SHOWN else np.linspace(0, count - 1, _SHOWN).astype(int)
-    if chosen is not None:
-        session.remark(f"{_SHOWN} of {count:,} points, spread evenly through the file; -o FILE.csv has all")
+    chosen = np.linspace(0, count - 1, min(count, _SHOWN)).astype(int)
+    if count > _SHOWN:
+        session.remark(f"{_SHOWN} points, spread evenly through the file; -o FILE.csv has all")
     return tabulate_scan(found, quantities, chosen, found.scan.name)
 
 

@@ -9,7 +9,7 @@ import typer
 
 from quintrig.cli import session
 from quintrig.cli.options import Face, Listing, ModelFile, WhichPatch, Whole
-from quintrig.cli.scans import Degree, Neighbours, ScanUnit, curvature, is_scan, table_of
+from quintrig.cli.scans import Degree, Neighbours, ScanUnit, curvature, is_scan, on_screen
 from quintrig.cli.show import print_table
 
 if TYPE_CHECKING:
@@ -85,8 +85,13 @@ def table(
         if at or grid or points:
             raise ValueError("--at, --grid and --points: belong to surfaces; of a scan all points are taken")
         names = [word.strip() for word in quantities.split(",")] if quantities is not None else None
+        if chosen == "text":
+            print_table(on_screen(model, unit, neighbours, degree, names))
+            return
+        from quintrig.scan.curvature_table import tabulate_scan
+
         found = curvature(model, unit, neighbours, degree)
-        _deliver(table_of(found, names, chosen != "text"), chosen, output, digits, siunitx, model)
+        _deliver(tabulate_scan(found, names, title=found.scan.name), chosen, output, digits, siunitx, model)
         return
     loaded = session.load_any(model, face)
     if not loaded.patches or patch in [one.name for one in loaded.curves]:
@@ -126,6 +131,8 @@ def _deliver(
     result: "Table", chosen: str, output: Path | None, digits: int, siunitx: bool, *sources: Path | None
 ) -> None:
     """Print a table, or write it in the format chosen."""
+    if siunitx and chosen != "latex":
+        raise ValueError(f"--siunitx: belongs to LaTeX, and this is {chosen}; add -o FILE.tex or --format latex")
     if chosen == "text":
         print_table(result)
         return

@@ -50,6 +50,8 @@ def umbilics(
         )
     ones = "1 isolated umbilic" if len(found) == 1 else f"{len(found)} isolated umbilics"
     known = "proved complete" if found.complete else "no proof that there are no others"
+    if found.none_elsewhere and not found.complete:
+        known = "proved that there are none elsewhere, not how many these are"
     session.emit(f"{ones}; {known}")
     for region in found.regions:
         what = "every point is an umbilic" if region.kind == "region" else "a curve of umbilics"

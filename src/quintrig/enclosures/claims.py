@@ -28,11 +28,18 @@ _LENGTHS = {
     "ft": Fraction(3048, 10),
 }
 _ANGLES = {"deg": 1.0, "°": 1.0, "degree": 1.0, "degrees": 1.0, "rad": 180.0 / math.pi}
-_OPERATORS = {"≥": ">=", "≤": "<=", "=>": ">=", "=<": "<="}
+_OPERATORS = {"≥": ">=", "≤": "<=", "=>": ">=", "=<": "<=", "\u2212": "-"}
 _TURNED = {">": "<", ">=": "<=", "<": ">", "<=": ">="}
 _NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[+-]?inf"
 _EXAMPLES = "'gaussian > 0', 'curvature_radius >= 30', 'slope <= 60 deg' or 'regular'"
-DIRECTIONS = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
+DIRECTIONS = {
+    "x": (1.0, 0.0, 0.0),
+    "y": (0.0, 1.0, 0.0),
+    "z": (0.0, 0.0, 1.0),
+    "-x": (-1.0, 0.0, 0.0),
+    "-y": (0.0, -1.0, 0.0),
+    "-z": (0.0, 0.0, -1.0),
+}
 _LONGEST = 200
 
 
@@ -63,15 +70,33 @@ def read(text: str, unit: str = "") -> Claim:
     words = " ".join(text.split())
     for sign, plain in _OPERATORS.items():
         words = words.replace(sign, plain)
-    lower = words.lower().replace("_", " ")
-    if lower in STRUCTURAL:
-        return Claim(words, lower)
+    word = _word(words)
+    if word:
+        return Claim(words, word)
     body, direction = _direction(words)
-    inside = re.fullmatch(r"(?:range\s+)?(\w+)\s+in\s+\[(.+?),(.+)\]", body)
+    claim = _comparison(words, body, unit, direction)
+    if body != words and claim.measure and not claim.measure.degrees:
+        raise ValueError(f"claim {words!r}: slope and draft are along a direction, {claim.measure.key} is not")
+    return claim
+
+
+def _word(words: str) -> str:
+    """Return the claim of STRUCTURAL that is meant, or none; ValueError where something is said of it besides."""
+    plain = re.sub(r"[_-]", " ", words.lower())
+    for word in STRUCTURAL:
+        if plain == word:
+            return word
+        if re.match(rf"{word}\b", plain):
+            raise ValueError(f"claim {words!r}: {word} is a claim by itself; expected nothing after it")
+    return ""
+
+
+def _comparison(words: str, body: str, unit: str, direction: FloatArray) -> Claim:
+    inside = re.fullmatch(r"(?:range\s+)?(.+?)\s+in\s+\[(.+?),(.+)\](.*)", body)
     if inside:
-        name, low, high = inside.groups()
+        name, low, high, both = inside.groups()
         measure = _measure(name)
-        ends = [_value(part.strip(), measure, unit) for part in (low, high)]
+        ends = [_value(f"{part.strip()} {both}", measure, unit) for part in (low, high)]
         return _compared(words, measure, ">=", ends[0], "<=", ends[1], direction)
     parts = re.split(r"\s*(>=|<=|==|!=|=|>|<)\s*", body)
     for sign in parts[1::2]:
@@ -129,6 +154,8 @@ def _measure(name: str) -> Measure:
     if key in MEASURES:
         return MEASURES[key]
     known = ", ".join((*MEASURES, *STRUCTURAL))
+    if not name:
+        raise ValueError(f"claim: expected a quantity to compare, found none; there are {known}")
     if key in BY_KEY:
         raise ValueError(f"claim: {key} has no proof; these have: {known}")
     raise ValueError(

@@ -197,18 +197,18 @@ def _across(shape: Shape, direction: FloatArray) -> Form:
 
 def tilt(low: FloatArray, high: FloatArray) -> Interval:
     """Return bounds of the angle of which the cosine is given, in degrees."""
-    return _angle(np.arccos(np.clip(high, 0.0, 1.0)), np.arccos(np.clip(low, 0.0, 1.0)))
+    return _angle(np.arccos(np.clip(high, 0.0, 1.0)), np.arccos(np.clip(low, 0.0, 1.0)), 0.0)
 
 
 def elevation(low: FloatArray, high: FloatArray) -> Interval:
     """Return bounds of the angle of which the sine is given, in degrees."""
-    return _angle(np.arcsin(np.clip(low, -1.0, 1.0)), np.arcsin(np.clip(high, -1.0, 1.0)))
+    return _angle(np.arcsin(np.clip(low, -1.0, 1.0)), np.arcsin(np.clip(high, -1.0, 1.0)), -90.0)
 
 
-def _angle(low: FloatArray, high: FloatArray) -> Interval:
+def _angle(low: FloatArray, high: FloatArray, least: float) -> Interval:
     """Return bounds in degrees; the C library's arcs are good to a few units in the last place of a right angle."""
     slack = 1e-14
-    return np.degrees(low) - slack * 90.0, np.degrees(high) + slack * 90.0
+    return np.maximum(np.degrees(low) - slack * 90.0, least), np.minimum(np.degrees(high) + slack * 90.0, 90.0)
 
 
 def _scaled(interval: Interval, factor: float) -> Interval:

@@ -13,6 +13,7 @@ from quintrig.enclosures.boxes import Boxes, Enclose
 from quintrig.enclosures.charts import Chart, charts
 from quintrig.enclosures.claims import Claim, read
 from quintrig.enclosures.faces import outside
+from quintrig.enclosures.folds import turning
 from quintrig.enclosures.measures import MEASURES, REGULAR, UPRIGHT, Measure, Problem, gauss_sign, saddle_sign
 from quintrig.enclosures.poles import apex
 from quintrig.enclosures.search import Bounds, Range, Search, enclosed, settle
@@ -30,6 +31,7 @@ _FOR_BOUNDS = 256
 
 _ZERO, _SADDLE = Range(0.0, 0.0), Range(high=0.0)
 _TOO_FLAT = "these boxes hold neither a proof nor a place where the claim fails; more boxes may settle it"
+_BARE = "the surface has no normal anywhere: it is a curve or a point"
 _TOUCHES = "the quantity comes too near to the bound there to be told from it"
 
 
@@ -72,8 +74,18 @@ class Prover:
             "developable": self._developable,
             "inside hull": self._inside_hull,
         }
-        verdict = ways[claim.word](claim) if claim.word else self._compared(claim, bounds)
-        return replace(verdict, unit=self.named_unit(claim.measure))
+        verdict = self._bare(claim)
+        if verdict is None:
+            verdict = ways[claim.word](claim) if claim.word else self._compared(claim, bounds)
+        return replace(verdict, unit=self.named_unit(claim.measure)) if claim.measure else verdict
+
+    def _bare(self, claim: Claim) -> Verdict | None:
+        """Return that a claim on curvature is open where the surface has no normal anywhere; None elsewhere."""
+        if claim.word in ("regular", "no fold", "inside hull") or not any(
+            part.area.vanishes for _, part, _ in self._each
+        ):
+            return None
+        return Verdict("undecided", claim.text, 0, None, None, (Region((0.0, 1.0), (0.0, 1.0)),), _BARE)
 
     def bounds(
         self, key: str, tolerance: float = 1e-3, direction: FloatArray = UPRIGHT, most: int | None = None
@@ -218,24 +230,42 @@ class Prover:
                     if place:
                         witness = self._witness(chart, Search(place=place, low=0.0, high=0.0), claim)
                         return replace(verdict, verdict="refuted", witness=witness)
+        elif verdict.verdict == "undecided":
+            return self._folded(verdict)
         return replace(verdict, notes=self._edge_notes())
+
+    def _folded(self, verdict: Verdict) -> Verdict:
+        """Return what was left open, refuted where the normal is seen to turn over."""
+        for chart, _, wholes in self._each:
+            try:
+                place = turning([part for part in wholes.normal if isinstance(part, Whole)])
+            except InexactError:
+                continue
+            if place:
+                u, v = (float(part) for part in chart.parameters(*(np.array(part) for part in place)))
+                if self.surface.inside(u, v):
+                    witness = Witness(u, v, tuple(self.surface(u, v).tolist()), 0.0)
+                    return Verdict("refuted", verdict.claim, verdict.boxes, witness, why="the normal turns over there")
+        return verdict
 
     def _convex(self, claim: Claim) -> Verdict:
         first = self.prove("gaussian >= 0")
         if first.verdict != "proved":
-            return replace(first, claim=claim.text)
+            return replace(first, claim=claim.text, why=first.why or "K < 0 there")
         ways = [self.prove(f"mean {sign} 0") for sign in (">=", "<=")]
-        best = next((one for one in ways if one.verdict == "proved"), None)
         boxes = first.boxes + sum(one.boxes for one in ways)
-        if best is not None:
-            return replace(best, claim=claim.text, boxes=boxes)
-        worst = next((one for one in ways if one.verdict == "undecided"), ways[0])
-        return replace(worst, claim=claim.text, boxes=boxes)
+        best = [one for one in ways if one.proved] + [one for one in ways if one.regions]
+        why = best[0].why if best else "H < 0 there, and > 0 elsewhere: the surface bends to both sides"
+        return replace([*best, *ways][0], claim=claim.text, boxes=boxes, why=why)
 
     def _developable(self, claim: Claim) -> Verdict:
-        verdict = self._settled(replace(claim, measure=MEASURES["gaussian"]), gauss_sign, True, _ZERO)
-        note = "K vanishes as a polynomial, coefficient by coefficient" if verdict.verdict == "proved" else ""
-        return replace(verdict, notes=(note, *self._edge_notes()) if note else self._edge_notes())
+        gauss = MEASURES["gaussian"]
+        verdict = self._settled(replace(claim, measure=gauss), gauss_sign, True, _ZERO)
+        if verdict.proved:
+            notes = ("K vanishes as a polynomial, coefficient by coefficient", *self._edge_notes())
+            return replace(verdict, notes=notes)
+        why = verdict.why or "K is not 0 there"
+        return replace(verdict, unit=self.named_unit(gauss), why=why, notes=self._edge_notes())
 
     def _inside_hull(self, claim: Claim) -> Verdict:
         return hulls.prove(self.surface, claim.text, self.most)

@@ -77,6 +77,8 @@ def settle(
     Where ``edges`` says that a factor was divided out, a witness is looked for beside the edge, not on it.
     """
     found, waiting = Search(), whole
+    if any(edges) and _beside_corners(whole, enclose, wanted, outside, edges, found):
+        return found
     while len(waiting):
         count = max(1, _AT_ONCE // whole.middle[0].size)
         now, waiting = waiting.take(slice(0, count)), waiting.take(slice(count, None))
@@ -103,6 +105,22 @@ def settle(
                 continue
         waiting = joined(now.halved(), waiting)  # depth first: memory stays small
     return found
+
+
+def _beside_corners(
+    whole: Boxes, enclose: Enclose, wanted: Range, outside: Outside, edges: tuple[int, int, int, int], found: Search
+) -> bool:
+    """Note a place beside a corner of edges with a factor, where curvature may have no bound; whether one fails."""
+    for corner in whole.places():
+        for place in _beside(corner, edges):
+            at = np.array([place])
+            if tuple(corner) == place or outside(at, at)[0]:
+                continue
+            low, high = enclose(*whole.at(*place))
+            if wanted.misses(low, high)[0]:
+                found.boxes, found.place, found.low, found.high = 1, place, float(low[0]), float(high[0])
+                return True
+    return False
 
 
 def _refuted(

@@ -43,14 +43,26 @@ def zeros(forms: list[Ball], known: FloatArray, most: int, outside: Outside = no
     The first two forms, or the last two, have no other common zeros near such a one.
     """
     whole = Boxes.whole(forms)
-    found = Zeros(np.zeros(len(known), dtype=np.bool_))
+    alone, around = alone_in(whole, known)
+    return searched(whole, alone, around, most, outside)
+
+
+def alone_in(whole: Boxes, known: FloatArray) -> tuple[BoolArray, list[Rectangle]]:
+    """Return which of the zeros known are alone in a box, and these boxes."""
+    alone: BoolArray = np.zeros(len(known), dtype=np.bool_)
     around: list[Rectangle] = []
     for index, place in enumerate(known):
         if (np.abs(place - 0.5) <= 0.5 + _BEYOND).all():
             box = _alone(whole, place)
             if box is not None:
-                found.alone[index] = True
+                alone[index] = True
                 around.append(box)
+    return alone, around
+
+
+def searched(whole: Boxes, alone: BoolArray, around: list[Rectangle], most: int, outside: Outside = nothing) -> Zeros:
+    """Return what is left open outside the boxes ``around`` zeros, after at most ``most`` boxes."""
+    found = Zeros(alone)
     waiting, sides = whole, np.array(around).reshape(-1, 4)
     while len(waiting):
         count = max(1, _AT_ONCE // whole.middle[0].size)
@@ -96,20 +108,20 @@ def _free(boxes: Boxes) -> BoolArray:
 def _alone(whole: Boxes, place: FloatArray) -> Rectangle | None:
     """Return a box around a place that holds one zero and no other; None where there is no such box."""
     centre = np.round(place * _GRID) / _GRID
-    near = _over(whole, centre - 2.0**-_NEAR, centre + 2.0**-_NEAR)
+    near = over(whole, centre - 2.0**-_NEAR, centre + 2.0**-_NEAR)
     for start in range(whole.middle.shape[1] - 1):
         pair = slice(start, start + 2)
         if not _one(near[0][pair], near[1][pair]):
             continue
         for k in range(_WIDEST, _NEAR + 1):
             low, high = centre - 2.0**-k, centre + 2.0**-k
-            middle, radius = _over(whole, low, high)
+            middle, radius = over(whole, low, high)
             if _one(middle[pair], radius[pair]):
                 return (*low.tolist(), *high.tolist())
     return None
 
 
-def _over(whole: Boxes, low: FloatArray, high: FloatArray) -> tuple[FloatArray, FloatArray]:
+def over(whole: Boxes, low: FloatArray, high: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Return the coefficients of the forms over a box that may reach beyond the chart, and bounds of their errors."""
     (left, left_size), (right, right_size) = (
         _moved(size - 1, a, b) for size, a, b in zip(whole.middle.shape[2:], low.tolist(), high.tolist(), strict=True)

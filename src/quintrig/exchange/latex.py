@@ -10,10 +10,13 @@ from quintrig.analysis.table import Column, Table
 _ACROSS = 345.0
 """Points across a page of an article, which columns side by side fill."""
 
-_DOWN = 36
-"""Rows on a page with caption and notes: more go on over pages, in a longtable."""
+_DOWN, _NOTES = 36, 10
+"""Rows on a page with a caption and so many lines of notes: more go on over pages, in a longtable."""
 
-_LETTER, _BETWEEN = 5.0, 12.0  # points: of a digit or small letter, and between columns
+_LETTER, _WIDE, _BETWEEN = 5.0, 8.0, 12.0  # points: of a digit or small letter, of m, capitals and −, between columns
+
+_LINE = 95
+"""Letters of a line of notes."""
 
 _LONGEST = 9
 """Letters of a number without a power of ten."""
@@ -30,19 +33,32 @@ def to_latex(table: Table, *, digits: int = 6, siunitx: bool = False) -> str:
     if not 1 <= digits <= 17:
         raise ValueError(f"digits: expected 1 to 17, found {digits}")
     cut = [_Part(columns, digits, siunitx) for columns in parts(table, digits, siunitx)]
-    tall = sum(len(part.rows) + 2 for part in cut) > _DOWN
+    words = " ".join(map(text, table.notes))
+    tall = sum(len(part.rows) + 2 for part in cut) + len(words) // _LINE > _DOWN + _NOTES
     packages = ["booktabs", *(["siunitx"] if siunitx else []), *(["longtable"] if tall else [])]
     needed = " ".join(rf"\usepackage{{{name}}}" for name in packages)
     lines = [f"% needs {needed}"]
     caption = rf"\caption{{{text(table.title)}}}" if table.title else ""
-    words = " ".join(map(text, table.notes))
-    notes = rf"\parbox{{\linewidth}}{{\footnotesize {words}}}" if words else ""
     if tall:
         longs = [part.long(caption if index == 0 else "") for index, part in enumerate(cut)]
-        return "\n".join([*lines, "\n\n".join(longs), *(["", rf"\noindent{notes}"] if notes else [])]) + "\n"
+        return (
+            "\n".join(
+                [*lines, "\n\n".join(longs), *(["", rf"{{\footnotesize\noindent {words}\par}}"] if words else [])]
+            )
+            + "\n"
+        )
     lines += [r"\begin{table}[htbp]", r"\centering", *([caption] if caption else [])]
     lines.append("\n\n\\medskip\n".join(part.tabular for part in cut))
-    return "\n".join([*lines, *(["", r"\smallskip", notes] if notes else []), r"\end{table}"]) + "\n"
+    return (
+        "\n".join(
+            [
+                *lines,
+                *(["", r"\smallskip", rf"\parbox{{\linewidth}}{{\footnotesize {words}}}"] if words else []),
+                r"\end{table}",
+            ]
+        )
+        + "\n"
+    )
 
 
 def parts(table: Table, digits: int, siunitx: bool) -> Iterator[tuple[Column, ...]]:
@@ -68,9 +84,9 @@ def _width(column: Column, digits: int, siunitx: bool) -> float:
         whole, fraction, power = _room(column, digits)
         cells.append("x" * (whole + fraction + 3 + (7 + power if power else 0)))
     for cell in _cells(column, digits, siunitx):
-        # A power of ten: its sign and the raised exponent take the room of six letters.
-        cells.append(re.sub(r" \\times 10\^\{-?\d+\}|e-?\d+", "x" * 6, cell).strip("${}"))
-    return _BETWEEN + _LETTER * max(map(len, cells))
+        # A power of ten: its sign and the raised exponent take the room of seven letters.
+        cells.append(re.sub(r" \\times 10\^\{-?\d+\}|e-?\d+", "x" * 7, cell).strip("${}"))
+    return _BETWEEN + max(sum(_WIDE if c in "-mw" or c.isupper() else _LETTER for c in cell) for cell in cells)
 
 
 class _Part:
@@ -197,7 +213,7 @@ def _room(column: Column, digits: int) -> tuple[int, int, int]:
     whole, fraction, power = 1, 0, 0
     for value in column.rounded:
         if isinstance(value, float) and math.isfinite(value):
-            mantissa, _, exponent = f"{value:.{digits}g}".partition("e")
+            mantissa, _, exponent = _written(value, digits).partition("e")
             left, _, right = mantissa.lstrip("-").partition(".")
             whole, fraction, power = (
                 max(whole, len(left)),
@@ -215,16 +231,22 @@ def _cells(column: Column, digits: int, siunitx: bool) -> list[str]:
     return [_number(value, digits, siunitx, decimals) for value in numbers]
 
 
+def _written(value: float, digits: int) -> str:
+    """Return a number with so many significant digits; what has less than seven before its point needs no power."""
+    shown = f"{value:.{digits}g}"
+    return f"{float(shown):.0f}" if "e+" in shown and abs(float(shown)) < 1e6 else shown
+
+
 def _decimals(numbers: list[float], digits: int) -> int | None:
     """Return how many decimals show all numbers with ``digits`` figures at least, None where that takes too many."""
     sizes = [abs(value) for value in numbers if math.isfinite(value) and value != 0.0]
     if not sizes:
         return 0
     # No more decimals than any number has: a column of round numbers stays one.
-    needed = max(len(f"{size:.{digits}g}".partition("e")[0].partition(".")[2]) for size in sizes)
+    needed = max(len(_written(size, digits).partition("e")[0].partition(".")[2]) for size in sizes)
     small, large = (math.floor(math.log10(size)) for size in (min(sizes), max(sizes)))
     if (
-        any("e" in f"{size:.{digits}g}" for size in sizes)
+        any("e" in _written(size, digits) for size in sizes)
         or max(large, 0) + needed > _LONGEST + digits - 6
         or small < -4
     ):
@@ -238,7 +260,7 @@ def _number(value: float, digits: int, siunitx: bool, decimals: int | None) -> s
         return f"{{{word}}}" if siunitx else word
     if decimals is not None:
         return f"${value + 0.0:.{decimals}f}$"
-    mantissa, _, exponent = f"{value:.{digits}g}".partition("e")
+    mantissa, _, exponent = _written(value, digits).partition("e")
     if siunitx:
         return f"{mantissa}e{int(exponent)}" if exponent else mantissa
     return rf"${mantissa} \times 10^{{{int(exponent)}}}$" if exponent else f"${mantissa}$"

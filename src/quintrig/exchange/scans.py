@@ -1,7 +1,6 @@
 """Point clouds and meshes out of files: CSV, XYZ and other tables of numbers, PLY, OBJ, STL; and faces of CAD files."""
 
 import io
-import re
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -11,6 +10,8 @@ import numpy as np
 
 from quintrig.exchange.cad import isolated
 from quintrig.exchange.imports import open_model
+from quintrig.exchange.point_tables import read_table
+from quintrig.exchange.units import stated_unit
 from quintrig.model.model import Model
 from quintrig.scan.scan import MILLIMETRES, Scan, scan_of
 from quintrig.support.arrays import FloatArray
@@ -30,11 +31,6 @@ SCAN_SUFFIXES = (*TABLES, *MESHES)
 LARGEST = 2 * 2**30
 """Bytes of a file that is read at all: some 30 million points."""
 
-_NAMES = {
-    **{name: "xyz".index(name) for name in "xyz"},
-    **{name: 3 + "xyz".index(name[1]) for name in ("nx", "ny", "nz")},
-    **dict.fromkeys(("w", "weight", "weights"), 6),
-}
 _FACE_SAMPLES = 65  # points along a parameter of a CAD face that is a target
 
 
@@ -95,11 +91,9 @@ def read_scan(path: str | Path, unit: str = "") -> Scan:
     if suffix not in SCAN_SUFFIXES:
         raise QuintrigError(f"{path}: expected a scan, a file ending in {', '.join(SCAN_SUFFIXES)}")
     raw = _bytes(path)
-    head = raw[:4096].decode("latin-1")
-    stated = re.search(r"(?:comment|#|//|solid)[^\n]*\bunits?[ :=]+(um|mm|cm|m|km|in|ft)\b", head)
     try:
-        found = _table(raw, path) if suffix in TABLES else _mesh(raw, path)
-        found = replace(found, unit=unit or (stated[1] if stated else ""), name=printable(path.stem))
+        found = _table(raw, path) if suffix in TABLES else replace(_mesh(raw, path), unit=_unit_stated(raw))
+        found = replace(found, unit=unit or found.unit, name=printable(path.stem))
     except (ModelError, QuintrigError):
         raise
     except ValueError as error:
@@ -138,50 +132,18 @@ def _bytes(path: Path) -> bytes:
     return raw
 
 
+def _unit_stated(raw: bytes) -> str:
+    """Return the unit that a remark in the head of a mesh file states."""
+    lines = raw[:4096].split(b"end_header")[0].decode("latin-1").splitlines()
+    remarks = [line for line in lines if line.startswith(("comment", "obj_info", "#", "solid"))]
+    return next((unit for line in (*remarks, lines[0][:80]) if (unit := stated_unit(line))), "")
+
+
 def _table(raw: bytes, path: Path) -> Scan:
-    """Return the points of a table: numpy reads it, here is found out how it is laid out."""
     try:
-        text = raw.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        line = raw.count(b"\n", 0, error.start) + 1
-        raise ModelError(f"{path}: expected text, found the byte 0x{raw[error.start]:02x} in line {line}") from None
-    if "\0" in text[:100_000]:
-        raise ModelError(f"{path}: expected text, found a zero byte; is this a table of points?")
-    lines = text.lstrip("\n").split("\n", 60)[:60]
-    skip, names, first = 0, [], ""
-    for line in lines:
-        bare = line.strip()
-        if not bare or bare.startswith(("#", "//", "%")):
-            skip += 1
-            continue
-        words = _cells(bare)
-        if not all(map(_is_number, words)) and not names:
-            names, skip = [word.strip("\"' ").lower() for word in words], skip + 1
-            continue
-        if len(words) == 1 and bare.isdigit():  # PTS: how many follow
-            skip += 1
-            continue
-        first = bare
-        break
-    if not first:
-        raise ModelError(f"{path}: expected points, found no line of numbers")
-    delimiter = ";" if ";" in first else "," if "," in first else None
-    body = text.lstrip("\n")
-    if delimiter == ";" and "," in body:  # a decimal comma
-        body = body.replace(",", ".")
-    # A remark may stand anywhere; // is no single letter, and so is turned into one.
-    body = body.replace("//", "#").replace("%", "#")
-    known = [index for index, name in enumerate(names) if name in _NAMES]
-    named = {0, 1} <= {_NAMES[names[index]] for index in known}  # then other columns may hold words
-    only = known if named else None
-    names = [names[index] for index in known] if named else names
-    try:
-        rows = np.loadtxt(io.StringIO(body), delimiter=delimiter, comments="#", skiprows=skip, ndmin=2, usecols=only)
-    except ValueError as error:
-        raise ModelError(f"{path}: {_told(str(error), skip)}") from None
-    if not rows.size:
-        raise ModelError(f"{path}: expected points, found no line of numbers")
-    found = _columns(rows, names, path)
+        found = read_table(raw)
+    except (ModelError, ValueError) as error:
+        raise ModelError(f"{path}: {error}") from None
     return _aerofoil(found) if path.suffix.lower() == ".dat" and found.points.shape[1] == 2 else found
 
 
@@ -192,52 +154,6 @@ def _aerofoil(found: Scan) -> Scan:
     if count == len(points) - 1:
         found = found.within(np.arange(len(points)) > 0)
     return replace(found, outline=True, noisy=False)
-
-
-def _columns(rows: FloatArray, names: list[str], path: Path) -> Scan:
-    """Return a scan from the columns of a table, by name where all of x and y have one."""
-    width = rows.shape[1]
-    places = {_NAMES[name]: index for index, name in enumerate(names[:width]) if name in _NAMES}
-    if not {0, 1} <= set(places):
-        if width not in (2, 3, 4, 6, 7, 9, 10) and width < 6:
-            raise ModelError(f"{path}: expected 2 or 3 numbers a line, or 6 with a normal, found {width}")
-        places = {index: index for index in range(min(width, 3))}
-        if width == 6 and _unit_vectors(rows[:, 3:6]):  # else they may be colours
-            places |= {3: 3, 4: 4, 5: 5}
-    axes = [places[k] for k in (0, 1, 2) if k in places]
-    normals = rows[:, [places[k] for k in (3, 4, 5)]] if {3, 4, 5} <= set(places) else None
-    weights = rows[:, places[6]] if 6 in places else None
-    return scan_of(rows[:, axes], normals if len(axes) == 3 else None, weights=weights)
-
-
-def _unit_vectors(rows: FloatArray) -> bool:
-    length = np.linalg.norm(rows, axis=1)
-    return bool((np.abs(length[np.isfinite(length)] - 1.0) < 0.01).all())
-
-
-def _cells(line: str) -> list[str]:
-    if ";" in line:
-        return [cell.strip().replace(",", ".") for cell in line.split(";")]
-    return [cell.strip() for cell in line.split(",")] if "," in line else line.split()
-
-
-def _is_number(word: str) -> bool:
-    try:
-        float(word)
-    except ValueError:
-        return False
-    return True
-
-
-def _told(error: str, skip: int) -> str:
-    """Return what numpy says of a row, in the lines of the file."""
-    found = re.match(r"could not convert string '(.*)' to float64 at row (\d+), column (\d+)", error)
-    if found:
-        return f"row {int(found[2]) + skip + 1}: expected a number, got {printable(found[1])[:40]!r}"
-    found = re.match(r"the number of columns changed from (\d+) to (\d+) at row (\d+)", error)
-    if found:
-        return f"row {int(found[3]) + skip}: expected {found[1]} numbers as in the rows before, got {found[2]}"
-    return f"expected rows of numbers ({printable(error)[:120]})"
 
 
 def _mesh(raw: bytes, path: Path) -> Scan:

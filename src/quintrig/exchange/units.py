@@ -1,5 +1,6 @@
 """Units of length as each format names them."""
 
+import re
 from dataclasses import dataclass
 
 
@@ -42,3 +43,28 @@ def named(attribute: str, name: str) -> str:
         if name.strip().lower() in [word.lower() for word in known]:
             return key
     return ""
+
+
+_SPELT = {
+    **{word: key for key, unit in UNITS.items() for name in unit.step for word in (key, name, f"{name}s")},
+    **{"µm": "um", "μm": "um", "inches": "in"},
+}
+
+UNIT_WORDS = "|".join(sorted(map(re.escape, _SPELT), key=len, reverse=True))
+"""What matches the name of a unit, in small letters."""
+
+_STATED = re.compile(
+    rf"\b(?:units?|lengths?|coordinates|values|dimensions)(?:\s+(?:are|is|of\s+length))?(?:\s+in)?\s*[:=]?\s*[\[(\"']?"
+    rf"({UNIT_WORDS})\b"
+)
+
+
+def unit_of(word: str) -> str:
+    """Return the model unit that a word names, such as ``inches``, or an empty string."""
+    return _SPELT.get(word.strip().lower(), "")
+
+
+def stated_unit(text: str) -> str:
+    """Return the unit that a remark states, as ``Units: inch`` or ``all lengths in mm`` do, or an empty string."""
+    found = _STATED.search(text.lower())
+    return _SPELT[found[1]] if found else ""

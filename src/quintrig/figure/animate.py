@@ -15,7 +15,7 @@ from PIL import Image
 from quintrig.basis.pairs import key_of, symbol
 from quintrig.figure.camera import ViewName
 from quintrig.figure.field import common_limits, facet_fields
-from quintrig.figure.plot import CURVE_PICTURES, plot
+from quintrig.figure.plot import CURVE_PICTURES, curve_picture, plot
 from quintrig.figure.save import to_png_bytes
 from quintrig.figure.scene import Scene, bounds
 from quintrig.figure.space_curves import curve_traces
@@ -195,7 +195,7 @@ def _fixed(designs: Sequence[Model], names: Sequence[str], scene: Scene, style: 
     traces = curve_traces([one.curve for one in designs[0].curves])
     low, high = bounds(surfaces, replace(scene, traces=tuple(traces)))
     scales: dict[str, Any] = {}
-    for key in read_quantities(names):
+    for key in [] if list(names) == ["zebra"] else read_quantities(names):
         found = common_limits(facet_fields(surfaces, key, _CELLS), style)
         if key is not None and found is not None:
             scales[key] = found
@@ -203,10 +203,7 @@ def _fixed(designs: Sequence[Model], names: Sequence[str], scene: Scene, style: 
 
 
 def _fixed_curves(designs: Sequence[Model], names: Sequence[str], style: Style) -> Style:
-    what = "curve" if list(names) == ["surface"] else names[0]
-    if what == "comb" or len(names) > 1 or what not in CURVE_PICTURES:
-        known = ", ".join(name for name in CURVE_PICTURES if name != "comb")
-        raise ArgumentError(f"expected, for moving curves, one of {known}, got {','.join(names)[:40]!r}", "quantity")
+    what = curve_picture(names, [name for name in CURVE_PICTURES if name != "comb"], "moving curves")
     every = [one.curve for design in designs for one in design.curves]
     t = np.linspace(0.0, 1.0, 201)
     if what in ("curvature", "torsion"):

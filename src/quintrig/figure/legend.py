@@ -1,5 +1,6 @@
 """Keys: the colour bar of a real quantity and the list of a classification."""
 
+import re
 from collections.abc import Sequence
 from typing import Any
 
@@ -10,11 +11,13 @@ from matplotlib.ticker import MaxNLocator
 
 from quintrig.figure.field import Field
 from quintrig.figure.palette import CLASS_COLOURS, INK, UNDEFINED, Limits, colour_map
-from quintrig.figure.sheet import Area, Axes, drawable
-from quintrig.figure.wording import exponent, number_text, quantity_label, tick_texts
+from quintrig.figure.sheet import Area, Axes, KeyPlace, drawable
+from quintrig.figure.wording import exponent, number_text, quantity_label, tick_texts, with_unit
 from quintrig.quantities.table import Quantity
 
 _SIZE = 7.5
+_LEAST = 2.2  # inches of a picture, below which its key stands, where too few would be left beside it
+_MARKUP = re.compile(r"[${}^_\\]")
 _SHAPES = {-1.0: "cup", -0.5: "rut", 0.0: "saddle", 0.5: "ridge", 1.0: "cap"}
 
 
@@ -70,6 +73,14 @@ def draw_class_list(area: Area, title: str, names: Sequence[str], colours: Seque
 def key_width(fields: Sequence[Field]) -> float:
     """Return the width in inches that an upright key needs; 0 for no key."""
     return 0.0 if not fields else 1.45 if fields[0].quantity.kind == "class" else 0.95
+
+
+def key_room(fields: Sequence[Field], width: float) -> tuple[KeyPlace, float]:
+    """Return where the key of one picture stands on a page of this width in inches, and its size there."""
+    if not fields:
+        return "none", 0.0
+    beside = key_width(fields)
+    return ("right", beside) if width - beside - 0.2 >= _LEAST else ("below", key_height([fields], width - 0.2))
 
 
 def key_height(every: Sequence[Sequence[Field]], width: float) -> float:
@@ -131,15 +142,18 @@ def _level_bar(area: Area, q: Quantity, stretch: Limits, unit: str) -> None:
     left = 0.5 * (area.width - width)
     axes = area.inside(left, area.height - 0.17, width, 0.11)
     power = _bar(axes, q, stretch, "horizontal")
-    label = quantity_label(q, unit, power)
-    if stretch.clipped_share > 0.0:
-        label += f"; {beyond(stretch)}"
+    rest = f"; {beyond(stretch)}" if stretch.clipped_share > 0.0 else ""
+    label = quantity_label(q, unit, power) + rest
+    # A name that would run into the next key gives way: the panel's title or the caption has it.
+    if 0.5 * (_SIZE + 0.5) * len(_MARKUP.sub("", label)) > 72.0 * (area.width + 0.2):
+        label = with_unit(f"${q.latex}$", q.unit(unit), power) + rest
     axes.set_xlabel(label, fontsize=_SIZE + 0.5, color=INK, labelpad=2.5)
 
 
 def beyond(stretch: Limits) -> str:
     """Return the clipped share in words, such as ``1.3 % beyond``."""
-    return f"{100.0 * stretch.clipped_share:.2g} % beyond"
+    share = 100.0 * stretch.clipped_share
+    return f"{share:.0f} % beyond" if share >= 9.95 else f"{share:.2g} % beyond"
 
 
 def _bar(axes: Any, q: Quantity, stretch: Limits, orientation: str) -> int:
@@ -155,15 +169,16 @@ def _bar(axes: Any, q: Quantity, stretch: Limits, orientation: str) -> int:
     bar.outline.set_linewidth(0.5)
     bar.outline.set_edgecolor("#8a8a8a")
     power = exponent(max(abs(stretch.low), abs(stretch.high)))
-    if q.key == "shape_index":
-        ticks, texts = list(_SHAPES), [f"{number_text(s)}  {name}" for s, name in _SHAPES.items()]
-        if orientation == "horizontal":
-            texts = [text.replace("  ", "\n") for text in texts]
-    else:
-        values = MaxNLocator(nbins=5, steps=[1, 2, 2.5, 5, 10]).tick_values(stretch.low, stretch.high)
-        slack = 1e-9 * (stretch.high - stretch.low)
-        ticks = [float(t) for t in values if stretch.low - slack <= t <= stretch.high + slack]
-        texts = tick_texts(ticks, power)
+    named = q.key == "shape_index"
+    values = (
+        [*_SHAPES] if named else MaxNLocator(nbins=5, steps=[1, 2, 2.5, 5, 10]).tick_values(stretch.low, stretch.high)
+    )
+    slack = 1e-9 * (stretch.high - stretch.low)
+    ticks = [float(t) for t in values if stretch.low - slack <= t <= stretch.high + slack]
+    texts = tick_texts(ticks, power)
+    if named:
+        joint = "\n" if orientation == "horizontal" else "  "
+        texts = [f"{number_text(s)}{joint}{_SHAPES[s]}" for s in ticks]
     bar.set_ticks(ticks, labels=texts)
     bar.ax.tick_params(labelsize=_SIZE, labelcolor=INK, length=2.5, width=0.5, color="#8a8a8a", pad=2.0)
     bar.ax.minorticks_off()

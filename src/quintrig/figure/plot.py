@@ -16,7 +16,7 @@ from quintrig.figure.curve import plane_curves
 from quintrig.figure.deviation import deviation_picture
 from quintrig.figure.field import Field, common_limits, facet_fields, levels_of, natural_scale
 from quintrig.figure.flat import draw_map, map_axes, map_fields
-from quintrig.figure.legend import draw_key, key_width
+from quintrig.figure.legend import draw_key, key_room
 from quintrig.figure.read_lines import staged, traces_of
 from quintrig.figure.save import DPI, kind_of
 from quintrig.figure.save import save as write
@@ -38,7 +38,7 @@ from quintrig.quantities.table import quantity as row
 from quintrig.scan.curvature import ScanCurvature, scan_curvature
 from quintrig.scan.deviation import Deviation
 from quintrig.scan.scan import Scan
-from quintrig.support.errors import ArgumentError
+from quintrig.support.errors import ArgumentError, nearest
 from quintrig.support.tolerance import SAME_COLOUR
 
 Subject = (
@@ -59,6 +59,7 @@ Subject = (
 CURVE_PICTURES = ("curve", "comb", "hull", "curvature", "torsion")
 """What is drawn of curves."""
 
+_SYMBOLS = {"κ": "curvature", "kappa": "curvature", "τ": "torsion", "tau": "torsion"}
 
 _ARROWS = 8  # patches of which each shows its normal; of more the arrows would hide them
 
@@ -293,12 +294,23 @@ def _of_sample(sample: Sample, names: Sequence[str], page: _Page, axes: Any) -> 
     if axes is not None:
         draw_map(axes, sample.surface, field, stretch, zeros={})
         return axes.figure
-    key_size = key_width([field])
-    side = style.across(5.0) - key_size - 0.2
-    drawn = sheet(1, (side, side), title=page.heading, key="right", key_size=key_size, style=style)
+    width = style.across(5.0)
+    place, key_size = key_room([field], width)
+    side = width - 0.2 - (key_size if place == "right" else 0.0)
+    drawn = sheet(1, (side, side), title=page.heading, key=place, key_size=key_size, style=style)
     draw_map(map_axes(drawn.panels[0]), sample.surface, field, stretch, zeros={})
     draw_key(drawn.keys[0], [field], stretch, page.unit)
     return style.finish(drawn.figure)
+
+
+def curve_picture(names: Sequence[str], known: Sequence[str] = CURVE_PICTURES, of: str = "curves") -> str:
+    """Return which of the ``known`` pictures of curves a name or symbol asks for; ValueError for others."""
+    found = ",".join(names)[:40]
+    what = "curve" if list(names) == ["surface"] else _SYMBOLS.get(found, found)
+    if what not in known:
+        hint = nearest(found, known)
+        raise ArgumentError(f"expected, for {of}, one of {', '.join(known)}, got {found!r}{hint}", "quantity")
+    return what
 
 
 def _of_curves(
@@ -314,10 +326,7 @@ def _of_curves(
     labels = labels if len(named) == len(parts) else []
     if not curves:
         raise ArgumentError("expected at least one curve, found none", "subject")
-    what = "curve" if list(names) == ["surface"] else names[0]
-    if len(names) > 1 or what not in CURVE_PICTURES:
-        found = ",".join(names)[:40]
-        raise ArgumentError(f"expected, for curves, one of {', '.join(CURVE_PICTURES)}, got {found!r}", "quantity")
+    what = curve_picture(names)
     title, unit, style = page.heading, page.unit, page.style
     if what in ("curvature", "torsion"):
         along = curvature_plot if what == "curvature" else torsion_plot

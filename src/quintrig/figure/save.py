@@ -1,7 +1,9 @@
 """Figures to bytes and files: PNG, SVG, PDF and EPS, the same bytes each time from the same figure."""
 
 import io
-from collections.abc import Sequence
+import logging
+from collections.abc import Generator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -65,9 +67,21 @@ def to_bytes(figure: Figure, kind: str, dpi: int = DPI) -> bytes:
     drawn: Any = figure  # its stubs leave arguments untyped
     library: Any = matplotlib
     # The lock also guards matplotlib's global settings, through which identifiers in SVG are set.
-    with ONE_AT_A_TIME, library.rc_context(_SETTINGS):
+    with ONE_AT_A_TIME, library.rc_context(_SETTINGS), _opaque():
         drawn.savefig(buffer, format=kind, dpi=dpi, metadata=_UNDATED[kind])
     return buffer.getvalue()
+
+
+@contextmanager
+def _opaque() -> Generator[None]:
+    """Keep back what matplotlib tells a user of EPS, that thin lines and halos are opaque there, as they may be."""
+    told = logging.getLogger("matplotlib.backends.backend_ps")
+    before = told.level
+    told.setLevel(logging.ERROR)
+    try:
+        yield
+    finally:
+        told.setLevel(before)
 
 
 def to_png_bytes(figure: Figure, dpi: int = DPI) -> bytes:

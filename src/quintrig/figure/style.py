@@ -22,6 +22,9 @@ POINTS = 7.5
 COLUMNS = {"column": 84.0, "page": 174.0}
 """Widths in millimetres of one and of two columns, as most journals set them."""
 
+NARROWEST = 2.0
+"""Inches in which letters of ``POINTS`` leave room for a picture: the narrowest page, larger with larger letters."""
+
 MOST_LINES = 100
 """Parameter lines each way."""
 
@@ -91,6 +94,7 @@ class Style:
             object.__setattr__(self, "view", read_view(self.view))
         if self.width is not None:
             object.__setattr__(self, "width", inches(self.width))
+            self._require_room()
         if isinstance(self.lines, int) and not 0 <= self.lines <= MOST_LINES:
             raise ArgumentError(f"expected 0 to {MOST_LINES}, or a kind of lines, found {self.lines}", "lines")
         if isinstance(self.lines, str):
@@ -109,7 +113,18 @@ class Style:
 
     def across(self, usual: float) -> float:
         """Return the width in inches to lay a figure out in, which ``finish`` then enlarges by ``factor``."""
-        return (usual if self.width is None else inches(self.width)) / self.factor
+        return max((usual if self.width is None else inches(self.width)) / self.factor, NARROWEST)
+
+    def _require_room(self) -> None:
+        """Raise ValueError where the letters leave no room for a picture."""
+        width = 0.0 if self.width is None else inches(self.width)
+        if width < NARROWEST * self.factor - 1e-9:
+            least = math.ceil(25.4 * NARROWEST * self.factor)
+            raise ArgumentError(
+                f"expected at least {least} mm for numbers of {self.size:g} points, found {25.4 * width:.3g} mm",
+                "width",
+                remedy="widen it, or take smaller letters",
+            )
 
     def finish(self, figure: Figure) -> Figure:
         """Set the fonts of a figure, and enlarge it with all that is on it by ``factor``."""

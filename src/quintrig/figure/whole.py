@@ -8,10 +8,10 @@ from matplotlib.figure import Figure
 from quintrig.figure.field import common_limits, facet_fields, levels_of
 from quintrig.figure.flat import draw_map, lines_note, map_axes, map_fields, zero_sets
 from quintrig.figure.frame import panel_size
-from quintrig.figure.legend import draw_class_list, draw_key, key_height, key_width
+from quintrig.figure.legend import draw_class_list, draw_key, key_height, key_room
 from quintrig.figure.read_lines import marks_at, staged
 from quintrig.figure.scene import Mark, Scene, beside, bounds, share_outside, thinned
-from quintrig.figure.sheet import KeyPlace, columns_for, sheet
+from quintrig.figure.sheet import columns_for, sheet
 from quintrig.figure.space import draw_space
 from quintrig.figure.style import STANDARD, Style
 from quintrig.figure.wording import note, quantity_label
@@ -43,8 +43,7 @@ def space_picture(
     stretch = common_limits(fields, style)
     levels = levels_of(style, stretch)
     named = [trace for trace in scene.traces if trace.label]
-    place: KeyPlace = "right" if fields else "below" if named else "none"
-    key_size = 0.4 if place == "below" else key_width(fields)
+    place, key_size = ("below", 0.4) if named and not fields else key_room(fields, width)
     box = bounds(patches, scene, style)
     panel = panel_size(scene.view, *box, width - 0.2 - (key_size if place == "right" else 0.0), scene.frame)
     text = note(patches, fields, unit, thresholds, share_outside(patches, box), zeros=scene.zeros)
@@ -83,11 +82,11 @@ def flat_map(
     fields = map_fields([surface], key, thresholds=thresholds)
     stretch = common_limits(fields, style)
     levels = levels_of(style, stretch)
-    key_size = key_width(fields)
-    side = width - key_size - 0.2
+    place, key_size = key_room(fields, width)
+    side = width - 0.2 - (key_size if place == "right" else 0.0)
     zeros = zero_sets(surface, fields[0])
     text = _sentence(note([surface], fields, unit, thresholds), lines_note([zeros]))
-    page = sheet(1, (side, side), title=title, note=text, key="right", key_size=key_size, style=style)
+    page = sheet(1, (side, side), title=title, note=text, key=place, key_size=key_size, style=style)
     draw_map(map_axes(page.panels[0]), surface, fields[0], stretch, marks, zeros, levels)
     draw_key(page.keys[0], fields, stretch, unit)
     return style.finish(page.figure)

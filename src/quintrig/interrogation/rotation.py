@@ -6,7 +6,7 @@ import numpy as np
 
 from quintrig.geometry.surface import Surface
 from quintrig.interrogation.local import Local
-from quintrig.support.arrays import FloatArray
+from quintrig.support.arrays import BoolArray, FloatArray
 
 RIM = 1e-9
 """Of parameters, or of the size: on the boundary."""
@@ -16,17 +16,35 @@ _INSET = 1e-3  # from a pole, where the rotation around it is taken
 
 
 def index_about(surface: Surface, uv: FloatArray, others: Sequence[FloatArray]) -> float | None:
-    """Return the index by turning once around an umbilic, at a distance where it is alone; None on an edge."""
+    """Return the index by turning once around an umbilic, at a distance where it is alone; None on an edge.
+
+    Across the seam of a closed surface the ring goes on behind it.
+    """
     alone = [float(np.abs(uv - other).max()) for other in others if other is not uv]
     reach = min(1e-2, *(0.3 * apart for apart in alone)) if alone else 1e-2
-    reach = min([reach, *(x for x in (*uv, *(1.0 - uv)) if x > 1e-9)])
+    seams = closed(surface)
+    sides = [x for axis in (0, 1) if not seams[axis] for x in (uv[axis], 1.0 - uv[axis])]
+    reach = min([reach, *(x for x in sides if x > 1e-6)])
     angle = np.linspace(0.0, 2.0 * np.pi, _AROUND + 1)
     ring = uv + reach * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+    ring = np.where(seams & ((ring < 0.0) | (ring > 1.0)), ring % 1.0, ring)
     inside = ((ring >= 0.0) & (ring <= 1.0)).all(axis=1)
     if not inside.all():
         return None
     found = _rotation(surface, ring)
     return found if np.isfinite(found) else None
+
+
+def closed(surface: Surface) -> BoolArray:
+    """Return whether the surface closes smoothly in u and in v, (2,): ends and tangents across them are the same."""
+    t = np.linspace(0.0, 1.0, 17)
+    if surface.trim:
+        return np.zeros(2, dtype=np.bool_)
+    pairs = (
+        (surface.partials(0.0, t, 1), surface.partials(1.0, t, 1)),
+        (surface.partials(t, 0.0, 1), surface.partials(t, 1.0, 1)),
+    )
+    return np.array([np.abs(first - second).max() <= RIM * surface.size for first, second in pairs])
 
 
 def _rotation(surface: Surface, ring: FloatArray) -> float:
@@ -45,9 +63,12 @@ def turned(surface: Surface, line: FloatArray) -> float:
     return float(turn.sum()) / (4.0 * np.pi)
 
 
-def along_boundary(surface: Surface) -> tuple[float, list[tuple[int, float]]]:
-    """Return the rotation along the boundary of a face, and the sides (axis, end) of the domain that count."""
-    return _along_loops(surface) if surface.trim else _along_sides(surface)
+def along_boundary(surface: Surface, found: Sequence[FloatArray]) -> tuple[float, list[tuple[int, float]]]:
+    """Return the rotation along the boundary of a face, and the sides (axis, end) of the domain that count.
+
+    Beside a pole it is taken nearer to it than the umbilics found (2,) are.
+    """
+    return _along_loops(surface) if surface.trim else _along_sides(surface, found)
 
 
 def _along_loops(surface: Surface) -> tuple[float, list[tuple[int, float]]]:
@@ -59,7 +80,7 @@ def _along_loops(surface: Surface) -> tuple[float, list[tuple[int, float]]]:
     return sum(sense * turned(surface, loop) for sense, loop in zip(senses, loops, strict=True)), []
 
 
-def _along_sides(surface: Surface) -> tuple[float, list[tuple[int, float]]]:
+def _along_sides(surface: Surface, found: Sequence[FloatArray]) -> tuple[float, list[tuple[int, float]]]:
     """Return the rotation along the sides of the domain, and the sides (axis, end) that count.
 
     The two sides of a seam, where a closed surface meets itself, cancel. Beside a pole the side is moved inwards.
@@ -70,8 +91,8 @@ def _along_sides(surface: Surface) -> tuple[float, list[tuple[int, float]]]:
     points = {key: surface(*line.T) for key, line in ends.items()}
     poles = {key: bool(np.linalg.norm(np.ptp(p, axis=0)) <= RIM * surface.size) for key, p in points.items()}
     low, high = (
-        np.array([_INSET if poles[axis, 0.0] else 0.0 for axis in (0, 1)]),
-        np.array([1.0 - _INSET if poles[axis, 1.0] else 1.0 for axis in (0, 1)]),
+        np.array([_inset(found, axis, 0.0) if poles[axis, 0.0] else 0.0 for axis in (0, 1)]),
+        np.array([1.0 - _inset(found, axis, 1.0) if poles[axis, 1.0] else 1.0 for axis in (0, 1)]),
     )
     for (axis, end), line in ends.items():
         if np.abs(points[axis, 0.0] - points[axis, 1.0]).max() <= RIM * surface.size and not poles[axis, end]:
@@ -80,6 +101,10 @@ def _along_sides(surface: Surface) -> tuple[float, list[tuple[int, float]]]:
         total += sense * turned(surface, low + line * (high - low))
         free.append((axis, end))
     return total, free
+
+
+def _inset(found: Sequence[FloatArray], axis: int, end: float) -> float:
+    return min([_INSET, *(0.5 * apart for uv in found if (apart := abs(float(uv[axis]) - end)) > RIM)])
 
 
 def _side(axis: int, end: float, t: FloatArray) -> FloatArray:

@@ -14,8 +14,9 @@ Type = Literal["star", "lemon", "monstar", "planar", "other"]
 class Umbilic(Pickled):
     """An isolated umbilic: parameters, point (3,), curvature κ1 = κ2 (1/length), index and type.
 
-    ``directions`` are the angles in degrees from S_u in which lines of curvature leave it. The index is NaN where it
-    cannot be told, as of an umbilic on an edge that is not a simple one.
+    ``directions`` are the angles in degrees from S_u in which lines of curvature leave it. ``proved`` says that it is
+    ``alone`` in a box, or that the ``index`` is that of all that the ``box`` (u, v, u, v) holds, be it one umbilic or
+    more. The index is NaN where it cannot be told.
     """
 
     patch: str
@@ -26,6 +27,8 @@ class Umbilic(Pickled):
     index: float
     type: Type
     directions: tuple[float, ...] = ()
+    proved: Literal["alone", "index", ""] = ""
+    box: tuple[float, ...] = ()
 
     def to_dict(self) -> dict[str, Any]:
         """Return it as plain values, to go through JSON."""
@@ -38,6 +41,8 @@ class Umbilic(Pickled):
             "index": None if math.isnan(self.index) else self.index,
             "type": self.type,
             "directions": list(self.directions),
+            "proved": self.proved or None,
+            "box": list(self.box) or None,
         }
 
 
@@ -66,7 +71,8 @@ class Region(Pickled):
 class Umbilics(Pickled):
     """What there is on the patches of a model; ``sums`` compares, by patch, the indices with the boundary's rotation.
 
-    ``complete`` is true only where a proof says that there are no others.
+    ``complete`` is true only where a proof says that there are no others, and ``none_elsewhere`` where one says that
+    there are none outside the boxes of those whose index alone is proved.
     """
 
     umbilics: tuple[Umbilic, ...]
@@ -75,6 +81,7 @@ class Umbilics(Pickled):
     sums: tuple[dict[str, Any], ...]
     notes: tuple[str, ...]
     unit: str = ""
+    none_elsewhere: bool = False
 
     def __len__(self) -> int:
         """Return the number of isolated umbilics."""
@@ -89,6 +96,7 @@ class Umbilics(Pickled):
         return {
             "umbilics": [one.to_dict() for one in self.umbilics],
             "complete": self.complete,
+            "none_elsewhere": self.none_elsewhere,
             "regions": [one.to_dict() for one in self.regions],
             "index_sums": list(self.sums),
             "unit": self.unit,

@@ -1,6 +1,6 @@
 """Where umbilics are: seeds on a grid, Newton's iteration from them, and curves of them followed."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -11,6 +11,7 @@ from quintrig.interrogation.rotation import wrapped
 from quintrig.support.arrays import FloatArray
 
 _STEPS = 60
+_STRIDES = 600  # along a curve of umbilics, each a hundredth of the size
 _MET = 1e-8  # of the scale: what is left of the spread of κ1 and κ2 at an umbilic
 _POLE = 1e-6  # of the square of the size: |S_u × S_v| at which a point counts as a pole
 _ONE = 1e-6  # of the size: umbilics this near are one
@@ -105,13 +106,41 @@ def beside(surface: Surface, uv: FloatArray, points: FloatArray) -> bool:
     return bool(apart.min() <= max(step, _ONE * surface.size))
 
 
-def curve_through(surface: Surface, uv: FloatArray, typical: float) -> FloatArray | None:
-    """Return the curve of umbilics (n, 2) through one whose derivative is singular; None where it is isolated."""
+def clearest(surface: Surface, places: Sequence[FloatArray], typical: float) -> FloatArray:
+    """Return the middle of where κ1 and κ2 differ least amid places (2,) at which they differ by rounding.
+
+    It is that of ever smaller sets, each where they differ by less than a tenth as much.
+    """
+    cloud = np.array(places)
+    low, high = cloud.min(axis=0), cloud.max(axis=0)
+    here, least = cloud.mean(axis=0), 10.0 * _MET * typical
+    t = np.linspace(-0.1, 1.1, 41)
+    share = np.stack(np.meshgrid(t, t, indexing="ij"), axis=-1).reshape(-1, 2)
+    for _ in range(12):
+        wide = np.maximum(high - low, 1e-9)
+        grid = np.clip(0.5 * (low + high) + (share - 0.5) * wide, 0.0, 1.0)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            kept = grid[np.asarray(Local.at(surface, *grid.T).spread <= least)]
+        if len(kept) < 3:
+            break
+        low, high = kept.min(axis=0), kept.max(axis=0)
+        here, least = 0.5 * (low + high), 0.1 * least
+    return here
+
+
+def curve_through(
+    surface: Surface, uv: FloatArray, typical: float, stops: Callable[[FloatArray], bool]
+) -> tuple[FloatArray | None, bool]:
+    """Return the curve of umbilics (n, 2) through one whose derivative is singular, None where there is none.
+
+    Whether it closes, or ends where the face does or something ``stops`` it, comes with it: one that ends inside is
+    none, but an umbilic around which κ1 and κ2 part slowly.
+    """
     halves: list[list[FloatArray]] = []
     stride = 0.01 * surface.size
     for sense in (1.0, -1.0):
         here, before, line = uv, None, [uv]
-        for _ in range(2000):
+        for _ in range(_STRIDES):
             local = Local.at(surface, *here, order=3)
             _, s, vt = np.linalg.svd(_derivative(local))
             if not s[0] > 0.0:
@@ -129,7 +158,18 @@ def curve_through(surface: Surface, uv: FloatArray, typical: float) -> FloatArra
             here, before = following, turned * space
             if len(line) > 8 and np.linalg.norm(surface(*here) - surface(*uv)) < stride:
                 line.append(uv)
-                return np.array(line)
+                return np.array(line), True
         halves.append(line)
     whole = np.array([*reversed(halves[1]), *halves[0][1:]])
-    return whole if len(whole) >= 6 else None
+    if len(whole) < 6:
+        return None, False
+    return whole, all(_ends(surface, half[-1], half[-2], stops) for half in halves if len(half) > 1)
+
+
+def _ends(surface: Surface, last: FloatArray, before: FloatArray, stops: Callable[[FloatArray], bool]) -> bool:
+    """Return whether a line that goes on as it does would leave the face, or comes to a singular point."""
+    ahead = last + 3.0 * (last - before)
+    if not ((ahead >= 0.0) & (ahead <= 1.0)).all() or not surface.inside(*ahead) or stops(ahead):
+        return True
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return not float(Local.at(surface, *ahead, order=1).area) > _POLE * surface.size**2

@@ -41,7 +41,7 @@ def explain(error: ValidationError, form: type[Definition], keys: dict[str, Any]
     if kind in ("too_short", "too_long"):
         expected, found = _count(first["loc"], form, keys, context, kind), len(found)
     else:
-        expected = _expected(kind, found, context) or f"{first['msg'][0].lower()}{first['msg'][1:]}"
+        expected = expected_in_place(kind, found, context) or f"{first['msg'][0].lower()}{first['msg'][1:]}"
     return f"{place}: expected {expected}, got {spell(found)}{more}"
 
 
@@ -67,7 +67,7 @@ def _unknown(place: str, form: type[Definition]) -> str:
     return f"unknown key {place!r}{hint}"
 
 
-def _expected(kind: str, found: Any, context: dict[str, Any]) -> str:
+def expected_in_place(kind: str, found: Any, context: dict[str, Any]) -> str:
     """Return what was expected in place of one value, or an empty string for a rare kind of mistake."""
     too_large = isinstance(found, (int, float)) and not isinstance(found, bool)
     if kind in ("less_than_equal", "greater_than_equal") and abs(context[kind[0] + "e"]) == LARGEST:

@@ -1,5 +1,6 @@
 """The inventory of what is rebuilt: which figure or table, what it shows, from which model."""
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -9,6 +10,9 @@ from typing import Any, cast
 from quintrig.model.model import Model
 from quintrig.support.errors import ArgumentError, nearest
 from quintrig.support.parsing import parse
+
+_NAME = re.compile(r"(?:(?P<kind>fig|tab)[a-z]*\.?[\s-]*)?(?P<number>a?\d+(?:\.\d+)?)")
+"""Such as ``4.3``, ``Fig. 4.3`` or ``table-a1``, in small letters."""
 
 
 @dataclass(frozen=True)
@@ -66,22 +70,23 @@ def model(name: str) -> Model:
 
 
 def chosen(numbers: Sequence[str]) -> frozenset[str]:
-    """Return the keys of items by number (all that have it), name or key, such as ``4.3`` or ``figure 4.3``.
+    """Return the keys of items by number (all that have it), name or key, such as ``4.3`` or ``Fig. 4.3``.
 
     ValueError for one that is not in the inventory.
     """
     found: set[str] = set()
     for text in numbers:
-        word = "-".join(text.casefold().replace("-", " ").split())
-        keys = {item.key for item in inventory() if word in (item.number.casefold(), item.key.casefold())}
+        named = _NAME.fullmatch(text.strip().casefold())
+        kind, number = (named["kind"] or "", named["number"]) if named else ("", "")
+        keys = {one.key for one in inventory() if one.number.casefold() == number and one.key.startswith(kind)}
         if not keys:
-            every = list(dict.fromkeys(item.number for item in inventory()))
+            every = list(dict.fromkeys(name for item in inventory() for name in (item.number, item.key)))
             raise ArgumentError(
                 f"expected the number of a figure or table, such as 4.3 or table-4.1, found {text!r}"
                 f"{nearest(text, every)}",
                 "only",
                 remedy="quintrig.reproduce.inventory() has all",
-                key="quantities",
+                key="inventory",
             )
         found |= keys
     return frozenset(found)

@@ -1,7 +1,7 @@
 """The curvature of measured points themselves, by osculating jets, with an error for each value."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
@@ -12,10 +12,11 @@ from quintrig.quantities.table import quantity
 from quintrig.scan import jets_jit
 from quintrig.scan.deviation import Target, target_of
 from quintrig.scan.nearest import in_threads
-from quintrig.scan.orient import planes, rim, sides
-from quintrig.scan.scan import Scan
+from quintrig.scan.orient import LINKS, planes, rim, sides
+from quintrig.scan.scan import Scan, refuse_no_surface
 from quintrig.support.arrays import BoolArray, FloatArray
 from quintrig.support.display import Shown
+from quintrig.support.progress import Progress
 from quintrig.support.scipy_inside import tree_of
 
 VALUES = ("gaussian", "mean", "k1", "k2", "shape_index", "curvedness")
@@ -30,6 +31,7 @@ _TRIED = ((2, 18), (2, 30), (4, 36), (4, 64), (2, 64), (4, 128), (2, 128), (4, 2
 """Degrees and numbers of neighbours, of which the one with the smallest errors is taken where none is given."""
 
 _SAMPLE = 400
+_BLOCK = 50_000  # points whose neighbours are held at a time
 _HIGHEST, _MOST = 5, 500
 _WIDE = 0.6 * np.pi
 """Radians without a neighbour from which a point lies on the border of a cloud."""
@@ -72,16 +74,28 @@ class ScanCurvature(Shown):
         return f"<Curvature of {points:,} points: degree {self.degree}, {self.neighbours} neighbours>"
 
 
-def scan_curvature(scan: Target, *, degree: int | None = None, neighbours: int | None = None) -> ScanCurvature:
+def scan_curvature(
+    scan: Target,
+    *,
+    degree: int | None = None,
+    neighbours: int | None = None,
+    most: int | None = None,
+    progress: Progress | None = None,
+) -> ScanCurvature:
     """Return curvatures of a scan's points, by polynomials of ``degree`` over so many ``neighbours`` of each.
 
     Both are chosen where none are given, for the smallest errors on a sample: more neighbours the more the points
     scatter. With degree d values converge with the (d - 1)th power of the distance of the points (Cazals and Pouget
-    2005). Raises ValueError for fewer than 10 points in space, and for too few neighbours for the degree.
+    2005). Of a scan with more than ``most`` points it is that of so many, spread evenly through it, among the
+    neighbours that they have in all of it. Raises ValueError for fewer than 10 points in space, for points on one line,
+    and for too few neighbours for the degree.
     """
     found = target_of(scan)
-    if found.points.shape[1] != 3 or len(found.points) < 10:
+    if found.points.shape[1] != 3:
+        raise ValueError("points: expected points in space for curvature, three numbers each, found two")
+    if len(found.points) < 10:
         raise ValueError(f"points: expected at least 10 in space for curvature, found {len(found.points)}")
+    refuse_no_surface(found.points)
     if degree is not None and not 2 <= degree <= _HIGHEST:
         raise ValueError(f"degree: expected 2 to {_HIGHEST}, got {degree}")
     fewest = 1 if degree is None else _needed(degree)
@@ -89,18 +103,56 @@ def scan_curvature(scan: Target, *, degree: int | None = None, neighbours: int |
         raise ValueError(f"neighbours: expected {max(fewest, 6)} to {_MOST} for degree {degree or 2}, got {neighbours}")
     tree = _tree(found.points)
     degree, neighbours = _chosen(found, tree, degree, neighbours)
-    near = _near(tree, found.points, min(neighbours, len(found.points)))
-    raw = _fitted(found.points, np.arange(len(found.points)), near, degree)
-    for times in (2, 4, 8):  # neighbours on few lines, as in a corner of a grid, do not tell a polynomial
+    count = len(found.points)
+    at = np.arange(count) if most is None or count <= most else np.linspace(0, count - 1, most).astype(np.int64)
+    raw, near = _in_blocks(found.points, at, tree, min(neighbours, count), degree, progress)
+    on = rim(found)
+    if len(at) < count:
+        near = _near(_tree(found.points[at]), found.points[at], LINKS + 1)
+    turn, words = sides(found, raw.frames[:, 2], near, at)
+    border = raw.gap > _WIDE if on is None else on[at] | (raw.gap > np.pi)
+    shown = found if len(at) == count else found.within(at)
+    return _told(shown, raw, near, turn, words, border, degree, neighbours)
+
+
+def _in_blocks(
+    points: FloatArray,
+    at: NDArray[np.int64],
+    tree: Any,
+    neighbours: int,
+    degree: int,
+    progress: Progress | None,
+) -> tuple["_Raw", NDArray[np.int64]]:
+    """Return the fits at the points numbered ``at``, and their nearest neighbours; a block at a time, for memory."""
+    parts: list[_Raw] = []
+    links: list[NDArray[np.int64]] = []
+    for start in range(0, len(at), _BLOCK):
+        block = at[start : start + _BLOCK]
+        near = _near(tree, points[block], neighbours)
+        parts.append(_widened(points, block, tree, near, degree))
+        links.append(near[:, : LINKS + 1].copy())
+        if progress is not None and len(at) > _BLOCK:
+            progress("points with their curvature", start + len(block), len(at))
+    if len(parts) == 1:
+        return parts[0], links[0]
+    names = [one.name for one in fields(_Raw)]
+    return _Raw(**{name: np.concatenate([getattr(part, name) for part in parts]) for name in names}), np.concatenate(
+        links
+    )
+
+
+def _widened(points: FloatArray, at: NDArray[np.int64], tree: Any, near: NDArray[np.int64], degree: int) -> "_Raw":
+    """Return fits, over more neighbours where those lie on few lines, as in a corner of a grid."""
+    raw = _fitted(points, at, near, degree)
+    for times in (2, 4, 8):
         bad = np.flatnonzero(~np.isfinite(raw.check).all(axis=1))
-        count = min(times * neighbours, len(found.points))
         if not len(bad):
             break
-        again = _fitted(found.points, bad, _near(tree, found.points[bad], count), degree)
+        more = min(times * near.shape[1], len(points))
+        again = _fitted(points, at[bad], _near(tree, points[at[bad]], more), degree)
         for name in ("frames", "values", "check", "covariance", "residual", "gap"):
             getattr(raw, name)[bad] = getattr(again, name)
-    turn, words = sides(found, raw.frames[:, 2], near)
-    return _told(found, raw, turn, words, degree, neighbours)
+    return raw
 
 
 @dataclass(frozen=True, eq=False)
@@ -111,7 +163,7 @@ class _Raw:
     covariance: FloatArray
     residual: FloatArray
     gap: FloatArray
-    radius: float
+    reach: FloatArray
 
 
 def _needed(degree: int) -> int:
@@ -147,7 +199,7 @@ def _fitted(points: FloatArray, chosen: NDArray[Any], near: NDArray[np.int64], d
         )
 
     in_threads(work, n, 2000)
-    reach = float(np.median(np.linalg.norm(points[near[:, -1]] - at, axis=1)))
+    reach = np.linalg.norm(points[near[:, -1]] - at, axis=1)
     return _Raw(frames, values, check, covariance, residual, gap, reach)
 
 
@@ -175,12 +227,24 @@ def _chosen(scan: Scan, tree: Any, degree: int | None, neighbours: int | None) -
     return best
 
 
-def _forms(raw: _Raw) -> tuple[FloatArray, FloatArray, FloatArray]:
+def _around(gap: FloatArray, near: NDArray[np.int64], border: BoolArray) -> FloatArray:
+    """Return the root mean square of gaps (n,) over neighbours: at one point alone noise may hide what is missed."""
+    with np.errstate(over="ignore"):
+        square = gap**2
+    finite = np.isfinite(square[near])
+    mean = np.where(finite, square[near], 0.0).sum(axis=1) / np.maximum(finite.sum(axis=1), 1)
+    return np.sqrt(np.where(border, np.maximum(mean, square), np.where(np.isfinite(gap), mean, np.nan)))
+
+
+def _forms(
+    raw: _Raw, around: tuple[NDArray[np.int64], BoolArray] | None = None
+) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Return the second form (n, 3) in an orthonormal frame of the tangent plane, that of the check, and its error."""
     one, other = _form(raw.values), _form(raw.check)
     spread = np.sqrt(np.maximum(raw.covariance[:, 2, 2] + 2.0 * raw.covariance[:, 3, 3] + raw.covariance[:, 4, 4], 0.0))
     gap = other - one
     jump = np.sqrt(gap[:, 0] ** 2 + 2.0 * gap[:, 1] ** 2 + gap[:, 2] ** 2)
+    jump = jump if around is None else _around(jump, *around)
     return one, other, np.hypot(_SURE * raw.residual * spread, _CAREFUL * jump)
 
 
@@ -203,8 +267,17 @@ def _quantities(form: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
     return a * c - b * b, 0.5 * (a + c), np.hypot(0.5 * (a - c), b)
 
 
-def _told(scan: Scan, raw: _Raw, turn: FloatArray, words: str, degree: int, neighbours: int) -> ScanCurvature:
-    form, other, off = _forms(raw)
+def _told(
+    scan: Scan,
+    raw: _Raw,
+    near: NDArray[np.int64],
+    turn: FloatArray,
+    words: str,
+    border: BoolArray,
+    degree: int,
+    neighbours: int,
+) -> ScanCurvature:
+    form, other, off = _forms(raw, (near, border))
     form, other = form * turn[:, None], other * turn[:, None]
     gaussian, mean, radius = _quantities(form)
     k_check, h_check, r_check = _quantities(other)
@@ -221,10 +294,11 @@ def _told(scan: Scan, raw: _Raw, turn: FloatArray, words: str, degree: int, neig
         trace = np.sqrt(np.maximum(second[:, 0, 0] + 2.0 * second[:, 1, 1] + second[:, 2, 2], 0.0))
         # Two factors that are both off: what the first order leaves out.
         errors = {
-            "gaussian": np.hypot(_SURE * k_std, _CAREFUL * (k_check - gaussian)) + (_SURE * trace) ** 2,
-            "mean": np.hypot(_SURE * h_std, _CAREFUL * (h_check - mean)),
-            "k1": np.hypot(_SURE * trace, _CAREFUL * (h_check + r_check - k1)),
-            "k2": np.hypot(_SURE * trace, _CAREFUL * (h_check - r_check - k2)),
+            "gaussian": np.hypot(_SURE * k_std, _CAREFUL * _around(k_check - gaussian, near, border))
+            + (_SURE * trace) ** 2,
+            "mean": np.hypot(_SURE * h_std, _CAREFUL * _around(h_check - mean, near, border)),
+            "k1": np.hypot(_SURE * trace, _CAREFUL * _around(h_check + r_check - k1, near, border)),
+            "k2": np.hypot(_SURE * trace, _CAREFUL * _around(h_check - r_check - k2, near, border)),
             "shape_index": np.minimum(2.0, 2.0 / np.pi * off / curved),
             "curvedness": off,
         }
@@ -252,10 +326,8 @@ def _told(scan: Scan, raw: _Raw, turn: FloatArray, words: str, degree: int, neig
         "curvedness": curved,
     }
     values |= _classes(gaussian, mean, radius, curved, index, errors, off)
-    on = rim(scan)
-    border = raw.gap > _WIDE if on is None else on | (raw.gap > np.pi)
     noise = float(np.nanmedian(raw.residual)) if np.isfinite(raw.residual).any() else float("nan")
-    return ScanCurvature(scan, values, errors, border, degree, neighbours, raw.radius, noise, words)
+    return ScanCurvature(scan, values, errors, border, degree, neighbours, float(np.median(raw.reach)), noise, words)
 
 
 def _classes(

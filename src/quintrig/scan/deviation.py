@@ -18,6 +18,7 @@ from quintrig.scan.nearest import Finder
 from quintrig.scan.scan import Scan, scan_of
 from quintrig.support.arrays import FloatArray, number
 from quintrig.support.late import call
+from quintrig.support.progress import Progress
 
 PERCENTILES = (1, 5, 25, 50, 75, 95, 99)
 
@@ -137,6 +138,7 @@ def deviation(
     align: bool = False,
     unit: str = "",
     source: Literal["target", "model"] = "target",
+    progress: Progress | None = None,
 ) -> Deviation:
     """Return the signed orthogonal distance of every point of a target from a model's surfaces.
 
@@ -164,7 +166,7 @@ def deviation(
         if others and motion is not None:
             raise ValueError("align: expected a scan to move, found surfaces, to which distances are measured")
         return _from_model(surfaces, others, scan, notes, told)
-    feet = finder.feet(scan.points)
+    feet = finder.feet(scan.points, progress)
     return Deviation(
         scan.points, feet.distance, feet.point, feet.which, feet.u, feet.v, feet.edge, surfaces, notes=notes, **told
     )

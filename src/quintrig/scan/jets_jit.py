@@ -9,6 +9,8 @@ from quintrig.support.arrays import FloatArray
 FORM = 5
 """Numbers that curvature is made of: z_x, z_y, z_xx, z_xy, z_yy."""
 
+_ROUND = 36  # neighbours that tell where none are: among more, those beyond a hole hide it
+
 
 @array_loop
 def columns(degree: int) -> int:
@@ -35,7 +37,7 @@ def jets(
     ``near`` (n, k) are the neighbours of ``at`` (n, 3) among ``points``, ``frames`` (n, 3, 3) rows e1, e2, n.
     ``values`` (n, 5) are of ``degree``, ``check`` (n, 5) of the degree ``upper``, by one decomposition. ``covariance``
     (n, 5, 5) is that of the values for residuals of size 1, ``residual`` (n,) the size of those, length¹, and ``gap``
-    (n,) the widest angle without neighbours.
+    (n,) the widest angle without one of the nearest neighbours.
     """
     k = near.shape[1]
     small, wide = columns(degree), columns(upper)
@@ -57,7 +59,7 @@ def jets(
             x[j], y[j], z[j] = u, v, w
             r = np.sqrt(u * u + v * v)
             h = max(h, r)
-            if r > 0.0:
+            if r > 0.0 and j < _ROUND:
                 angles[count] = np.arctan2(v, u)
                 count += 1
         part = np.sort(angles[:count])

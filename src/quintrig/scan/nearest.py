@@ -21,12 +21,14 @@ from quintrig.geometry.surface import Surface
 from quintrig.scan import nearest_jit
 from quintrig.scan.boxes import LEAF, boxed
 from quintrig.support.arrays import FloatArray
+from quintrig.support.progress import Progress
 from quintrig.support.scipy_inside import tree_of
 
 _TWIN = 1e-11  # of the size: how near the polynomial pieces come to the surface
 _FEWEST, _FINEST = 8, 64  # pieces along a parameter between two breaks
 _TRIANGLES = 32  # cells of triangles along a parameter, at least
 _SAFETY = 1.5  # on the bound of second derivatives, which is taken at some points of a cell
+_SLICE = 250_000  # points between two words of progress
 _ON_BORDER = 1e-9
 
 
@@ -90,7 +92,7 @@ class Finder:
             LEAF,
         )
 
-    def feet(self, points: FloatArray) -> Feet:
+    def feet(self, points: FloatArray, progress: Progress | None = None) -> Feet:
         """Return the nearest points to points (n, 3), length¹; of a trimmed face those inside or on its loops."""
         points = np.ascontiguousarray(points)
         found, which = np.empty((len(points), 3)), np.zeros(len(points), dtype=np.int64)
@@ -100,7 +102,7 @@ class Finder:
                 points[part], *self._tree, self._heads, self._edges, self._pieces, found[part], which[part]
             )
 
-        in_threads(work, len(points))
+        in_threads(work, len(points), progress=progress)
         return self.at(points, which, found[:, 1], found[:, 2])
 
     def at(self, points: FloatArray, which: NDArray[np.int64], u: FloatArray, v: FloatArray) -> Feet:
@@ -123,16 +125,20 @@ class Finder:
         return Feet(which, u, v, foot, normal, away, edge)
 
 
-def in_threads(work: Callable[[slice], None], count: int, least: int = 20_000) -> None:
+def in_threads(
+    work: Callable[[slice], None], count: int, least: int = 20_000, progress: Progress | None = None
+) -> None:
     """Do work that releases the interpreter on slices of ``count`` things, on all cores where there are many."""
     cores = min(os.cpu_count() or 1, 1 + count // least)
     if cores == 1:
         work(slice(0, count))
         return
-    ends = np.linspace(0, count, 4 * cores + 1).astype(int).tolist()
+    ends = np.linspace(0, count, max(4 * cores, count // _SLICE) + 1).astype(int).tolist()
     with ThreadPoolExecutor(cores) as pool:
-        for done in [pool.submit(work, slice(a, b)) for a, b in pairwise(ends)]:
+        for end, done in [(b, pool.submit(work, slice(a, b))) for a, b in pairwise(ends)]:
             done.result()
+            if progress is not None:
+                progress("points with their distance", end, count)
 
 
 def _on(surface: Surface, u: FloatArray, v: FloatArray) -> tuple[FloatArray, FloatArray]:

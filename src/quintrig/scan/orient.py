@@ -9,7 +9,7 @@ from quintrig.scan.scan import Scan
 from quintrig.support.arrays import BoolArray, FloatArray
 from quintrig.support.scipy_inside import csgraph_, sparse_
 
-_LINKS = 8  # neighbours over which the side is handed on
+LINKS = 8  # neighbours over which the side is handed on
 
 
 def planes(points: FloatArray, near: NDArray[np.int64]) -> FloatArray:
@@ -24,14 +24,17 @@ def planes(points: FloatArray, near: NDArray[np.int64]) -> FloatArray:
     return result
 
 
-def sides(scan: Scan, normals: FloatArray, near: NDArray[np.int64]) -> tuple[FloatArray, str]:
-    """Return +1 or -1 for each normal (n, 3), and in words which side they then point to."""
+def sides(scan: Scan, normals: FloatArray, near: NDArray[np.int64], at: NDArray[np.int64]) -> tuple[FloatArray, str]:
+    """Return +1 or -1 for each normal (n, 3) at the points ``at``, and in words which side they then point to.
+
+    ``near`` numbers the neighbours among those points, themselves first.
+    """
     given = scan.normals if scan.normals is not None else corner_normals(scan)
     if given is not None:
-        along = np.einsum("ij,ij->i", normals, given)
+        along = np.einsum("ij,ij->i", normals, given[at])
         words = "the normals that the file gives" if scan.normals is not None else "the triangles' side"
         return np.where(along < 0.0, -1.0, 1.0), words
-    links = near[:, 1 : 1 + _LINKS]
+    links = near[:, 1 : 1 + LINKS]
     rows = np.repeat(np.arange(len(near)), links.shape[1])
     columns = links.ravel()
     like = np.abs(np.einsum("ij,ij->i", normals[rows], normals[columns]))
@@ -39,7 +42,7 @@ def sides(scan: Scan, normals: FloatArray, near: NDArray[np.int64]) -> tuple[Flo
     tree: Any = csgraph_.minimum_spanning_tree(graph.maximum(graph.T))
     count, label = csgraph_.connected_components(tree, directed=False)
     result = np.ones(len(near))
-    top = scan.points[:, 2]
+    top = scan.points[at, 2]
     for part in range(count):
         mine = np.flatnonzero(label == part) if count > 1 else np.arange(len(near))
         start = int(mine[np.argmax(top[mine])])

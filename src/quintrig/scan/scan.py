@@ -45,9 +45,9 @@ class Scan(Shown):
         """Diagonal of the bounding box of the points, length¹."""
         return float(np.linalg.norm(self.points.max(axis=0) - self.points.min(axis=0)))
 
-    def within(self, kept: BoolArray) -> "Scan":
-        """Return the points that are kept (n,) alone, with the triangles whose corners all are."""
-        triangles = self.triangles
+    def within(self, kept: BoolArray | Triangles) -> "Scan":
+        """Return the points that are kept (n,) alone, or numbered, with the triangles whose corners all are kept."""
+        triangles = self.triangles if kept.dtype == np.bool_ else None
         if triangles is not None:
             number = np.cumsum(kept) - 1
             triangles = number[triangles[kept[triangles].all(axis=1)]]
@@ -119,3 +119,12 @@ def scan_of(
     if not len(found.points):
         raise ValueError("points: expected at least one finite point, found none")
     return replace(found, points=locked(found.points))
+
+
+def refuse_no_surface(points: FloatArray) -> None:
+    """Raise ValueError for points (n, 3) that are all in one place or on one line."""
+    spread = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
+    if not spread[0] > 1e-12 * float(np.abs(points).max()):
+        raise ValueError("points: expected points apart from each other, found all in one place")
+    if not spread[1] > 1e-9 * spread[0]:
+        raise ValueError("points: expected points of a surface, found all on a line; take kind curve")

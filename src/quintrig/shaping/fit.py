@@ -12,7 +12,7 @@ from quintrig.geometry.curve import Curve
 from quintrig.model.model import Model
 from quintrig.scan.deviation import Deviation, Target, deviation, target_of
 from quintrig.scan.nearest import Finder
-from quintrig.scan.scan import Scan
+from quintrig.scan.scan import Scan, refuse_no_surface
 from quintrig.shaping.fitting import curves, solve
 from quintrig.shaping.fitting.corners import corners_of, halfway, on_sides, ways_between
 from quintrig.shaping.fitting.forms import KINDS, Form, form_of
@@ -35,18 +35,17 @@ HELD = ("tensor", "symmetric", "swept", "ruled")
 _GRIDS = ((1, 1), (2, 2), (3, 3), (4, 4), (6, 6), (8, 8))
 """Grids of patches that are tried in turn where a tolerance is asked for."""
 
-_FIRST, _MAIN, _LAST = 1200, 6000, 200_000
+_FIRST, _MAIN, _LAST = 600, 6000, 200_000
 """Points by which the start is chosen, by which it is refined, and at the end."""
 
 _CLOSE, _WORSE = 1.05, 3.0
 """Times the rms of the best way to begin, between which the second is followed too: nearer it is as good."""
 
+_FEW_OUTLIERS = 0.02  # of the points: with so few it is tried whether they can be met after all
 _DRAWN = 0.01  # weight of a border point's distance from the edge, beside that from the surface
 _ON_CURVE = 200  # points of a given edge
 
 _PROFILE = 3000  # points by which it is tried how far a shape parameter may go
-
-_ENERGY = 1e-9  # of the size: a spread below this is a line or a point
 
 
 @watched
@@ -228,6 +227,11 @@ class _Work:
         done = [solve.refined(form, main, replace(one, rms=np.inf), False, 30, 1e-4) for one in ranked]
         best = min(done, key=lambda one: one.rms)
         best = solve.refined(form, main, best, self.free, 80)
+        if main.robust and 0 < solve.left_out(form, main, best) <= _FEW_OUTLIERS * len(main.points):
+            # They may be no outliers, but what a surface that curls up in a corner does not reach.
+            other = solve.refined(form, replace(main, robust=False), best, self.free, 30)
+            other = solve.refined(form, main, replace(other, rms=np.inf), self.free, 80)
+            best = min(best, other, key=lambda one: one.rms)
         self._single = form, best
         return self._single
 
@@ -346,8 +350,4 @@ def _refuse_line(points: FloatArray) -> None:
     """Raise ValueError for points that no surface can be laid through: too few, all in one place, or on a line."""
     if len(points) < 4:
         raise ValueError(f"points: expected at least 4 for a surface, found {len(points)}")
-    spread = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
-    if not spread[0] > 1e-12 * float(np.abs(points).max()):
-        raise ValueError("points: expected points apart from each other, found all in one place")
-    if not spread[1] > _ENERGY * spread[0]:
-        raise ValueError("points: expected points of a surface, found all on a line; take kind curve")
+    refuse_no_surface(points)

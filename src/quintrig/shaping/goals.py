@@ -8,7 +8,7 @@ from typing import Annotated, Any, Literal, cast
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
-from quintrig.model.explain import spell
+from quintrig.model.explain import expected_in_place, spell
 from quintrig.model.kinds.definition import Point, Positive
 from quintrig.model.model import Model, load
 from quintrig.model.reading import read_text
@@ -257,4 +257,11 @@ def _explained(error: ValidationError) -> str:
         return f"unknown key {place!r}{hint}"
     if first["type"] == "missing":
         return f"missing key {place!r}"
-    return f"{place}: {first['msg'][0].lower()}{first['msg'][1:]}, got {spell(first['input'])}"
+    kind, context = first["type"], first.get("ctx", {})
+    if kind in ("too_short", "too_long"):
+        few = kind == "too_short"
+        words = f"at {'least' if few else 'most'} {context['min_length' if few else 'max_length']} numbers"
+    else:
+        words = expected_in_place(kind, first["input"], context)
+    told = f"expected {words}" if words else f"{first['msg'][0].lower()}{first['msg'][1:]}"
+    return f"{place}: {told}, got {spell(first['input'])}"

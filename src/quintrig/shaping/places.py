@@ -231,7 +231,8 @@ class Twist:
         """Return the largest angle that normals turn by along a ruling, degrees."""
         turned = self._turned(state)
         index = int(turned.argmax())
-        slack = float(np.sin(np.radians(self.angle)) - np.sin(np.radians(turned[index])))
+        most = float(np.sin(np.radians(self.angle)))  # by which it is measured: 1e-5 is much beside a small angle
+        slack = (most - float(np.sin(np.radians(turned[index])))) / max(most, 0.01)
         return Worst(slack, float(turned[index]), index / (_RULINGS - 1), None)
 
     def exchange(self, state: State) -> bool:

@@ -16,6 +16,10 @@ _LEAST_SMOOTH = 1e-9
 """Thin-plate energy beside the distances, of their weight: it decides only where no point does."""
 
 
+_TELLING, _MOST_SMOOTH = 5.0, 1e-6
+"""Points whose squared noise the energy counts as much as, and the most of their weight."""
+
+
 @dataclass(frozen=True, eq=False)
 class System:
     """Normal equations: of the net ``net``, of the shape ``shape``, ``mixed``, and the right sides."""
@@ -47,8 +51,12 @@ def system_of(
     away: FloatArray,
     smooth: float,
     free: bool,
+    noise: float = 0.0,
 ) -> System:
-    """Return the normal equations of Σ rᵀ W r, r = away - the surface's change, with thin-plate energy."""
+    """Return the normal equations of Σ rᵀ W r, r = away - the surface's change, with thin-plate energy.
+
+    ``noise`` is the usual squared distance times its weight: what points do not tell from it, energy decides.
+    """
     u, v = form.families(theta)
     n, m = form.shape
     size = n * m
@@ -75,11 +83,20 @@ def system_of(
             block[:, x, :, y] = block[:, y, :, x] = product
         blocks.append(block.reshape(3 * size, 3 * size))
     slopes = form.slopes(q)
-    energy = np.kron(_thin_plate(u, v), np.eye(3))
+    key = theta.tobytes()
+    if key not in form.energies:
+        form.energies.clear()  # those of other shape parameters are not asked for again
+        form.energies[key] = np.asarray(np.kron(_thin_plate(u, v), np.eye(3)), dtype=np.float64)
+    energy = form.energies[key]
     whole = sum(float(np.trace(block)) for block in blocks) or 1.0
-    factor = max(smooth, _LEAST_SMOOTH) * whole / (form.patches * float(np.trace(energy)) or 1.0)
+    unit = whole / (form.patches * float(np.trace(energy)) or 1.0)
+    flat = nets.reshape(form.patches, -1)
+    bending = float(((flat @ energy) * flat).sum())
+    # So much energy as the surface has counts as much as the squared distances of a few points.
+    usual = min(_TELLING * noise / bending, _MOST_SMOOTH * unit) if bending > 0.0 else 0.0
+    factor = max(max(smooth, _LEAST_SMOOTH) * unit, usual)
     stacked = sparse_.block_diag([block + factor * energy for block in blocks], format="csr")
-    bent = (factor * (nets.reshape(form.patches, -1) @ energy)).ravel()
+    bent = (factor * (flat @ energy)).ravel()
     net = np.asarray((slopes.T @ stacked @ slopes).todense())
     right = np.asarray(slopes.T @ (to_net.ravel() - bent))
     if form.kind == "swung":  # scaling r up and (x, y) down changes nothing

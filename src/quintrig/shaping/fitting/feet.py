@@ -23,7 +23,7 @@ _ON_BORDER = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class Sheet:
-    """The patches of a form at given unknowns, as one surface with parameters (n, 2) from 0 to their numbers."""
+    """The patches of a form at given unknowns: one surface, parameters (n, 2) up to the numbers of patches."""
 
     form: Form
     q: FloatArray
@@ -96,14 +96,16 @@ class Sheet:
         which, local = self.split(at)
         d = self.jet(at, 1)
         away = points - d[0, 0]
-        normal = np.cross(d[1, 0], d[0, 1])
-        size = np.linalg.norm(normal, axis=1)
-        far = np.linalg.norm(away, axis=1)
-        plain = size > 1e-12 * (np.linalg.norm(d[1, 0], axis=1) * np.linalg.norm(d[0, 1], axis=1) + 1e-300)
-        normal = np.where(plain[:, None], normal, away) / np.where(plain, size, np.maximum(far, 1e-300))[:, None]
+        across: FloatArray = np.asarray(np.cross(d[1, 0], d[0, 1]), dtype=np.float64)
+        size, far = np.sqrt(_dot(across, across)), np.sqrt(_dot(away, away))
+        plain = size > 1e-12 * np.sqrt(_dot(d[1, 0], d[1, 0]) * _dot(d[0, 1], d[0, 1])) + 1e-300
+        normal: FloatArray = np.empty_like(away)
+        normal[plain] = across[plain] / size[plain, None]
+        normal[~plain] = away[~plain] / np.maximum(far[~plain], 1e-300)[:, None]
         ends = np.array(self.form.grid)
         border = ((at <= _ON_BORDER) | (at >= ends - _ON_BORDER)).any(axis=1)
-        slip = np.linalg.norm(away - (away * normal).sum(axis=1)[:, None] * normal, axis=1)
+        aside = away - _dot(away, normal)[:, None] * normal
+        slip = np.sqrt(_dot(aside, aside))
         edge = border & (slip > 1e-6 * far) & (far > 1e-10)
         return Feet(which, local[:, 0], local[:, 1], d[0, 0], normal, away, edge)
 
@@ -112,9 +114,9 @@ def _newton(
     d: dict[tuple[int, int], FloatArray], r: FloatArray, at: FloatArray, low: FloatArray, high: FloatArray
 ) -> FloatArray:
     """Return Newton's steps (n, 2) towards the feet, along a border where one would leave it."""
-    g = np.stack([(d[1, 0] * r).sum(axis=1), (d[0, 1] * r).sum(axis=1)], axis=1)
-    e, f, h = (d[1, 0] ** 2).sum(axis=1), (d[1, 0] * d[0, 1]).sum(axis=1), (d[0, 1] ** 2).sum(axis=1)
-    a, b, c = (plain + (d[k] * r).sum(axis=1) for plain, k in ((e, (2, 0)), (f, (1, 1)), (h, (0, 2))))
+    g = np.stack([_dot(d[1, 0], r), _dot(d[0, 1], r)], axis=1)
+    e, f, h = _dot(d[1, 0], d[1, 0]), _dot(d[1, 0], d[0, 1]), _dot(d[0, 1], d[0, 1])
+    a, b, c = e + _dot(d[2, 0], r), f + _dot(d[1, 1], r), h + _dot(d[0, 2], r)
     # Where the distance is no minimum to second order, the first order leads on.
     convex = (a > 1e-3 * e) & (c > 1e-3 * h) & (a * c - b * b > 1e-3 * (e * h - f * f))
     a, b, c = np.where(convex, a, e), np.where(convex, b, f), np.where(convex, c, h)
@@ -123,3 +125,7 @@ def _newton(
     det = np.maximum(a * c - b * b, 1e-300)
     step = np.stack([(b * g[:, 1] - c * g[:, 0]) / det, (b * g[:, 0] - a * g[:, 1]) / det], axis=1)
     return np.clip(np.where(held, 0.0, step), -_FARTHEST, _FARTHEST)
+
+
+def _dot(a: FloatArray, b: FloatArray) -> FloatArray:
+    return np.einsum("ni,ni->n", a, b)

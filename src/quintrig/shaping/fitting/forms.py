@@ -53,6 +53,11 @@ class Form:
         own = [one for choice, n in zip(self.choices, self.counts, strict=True) for one in parameters(choice, n)]
         return dict(zip(names(self.choices, self.counts), own, strict=True))
 
+    @cached_property
+    def energies(self) -> dict[bytes, FloatArray]:
+        """The quadratic form of the thin-plate energy of a patch, by the shape parameters that were asked for last."""
+        return {}
+
     @property
     def places(self) -> tuple[str, str]:
         """What the two polygons are called in errors."""

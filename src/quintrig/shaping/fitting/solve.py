@@ -32,8 +32,14 @@ _BROUGHT_BACK, _BEYOND, _ASTRAY = 3, 1.001, 1e3
 _SEARCHES, _FOUND = 4, 1e-6
 """How often feet are looked for on all of the surface, and what share of the rms that must take off to go on."""
 
+_TOLD = 0.1
+"""Over the number of points: the share of the rms below which a change is lost in their noise."""
+
 _EDGE = 101
 """Places along an edge from which the feet of border points are followed."""
+
+_FINE = 1e-5
+"""Of the size: noise of points below which they tell all of a surface, as exact ones do."""
 
 _UNREACHED = 0.05
 """Of the size: as far beyond the border of a surface a point still draws it."""
@@ -120,24 +126,26 @@ def _descended(
 ) -> tuple["_Step", int]:
     """Return the best step of so many rounds, and how many there were."""
     slide, stuck, number = 0.3, 0, 0
+    exact = max(exact, _TOLD / len(data.points))
     for number in range(rounds):
         if data.progress:
             data.progress(f"fitting {form.patches or 1} patch{'es' if form.patches > 1 else ''}", number, rounds)
         if stuck >= 4 or here.rms < 1e-13:
             return here, number
-        there = _at(form, _stepped(form, here, data, slide, free, but), data, here.feet)
+        there = _at(form, _stepped(form, here, data, slide, free, but), data, here)
         # The surface slid along itself, and a straight step leaves it by the square of that: it is brought back.
         for _ in range(_BROUGHT_BACK):
             if not _BEYOND * here.rms < there.rms < _ASTRAY * here.rms:
                 break
-            back = _at(form, _stepped(form, there, data, 10.0 * slide, free, but), data, there.feet)
+            back = _at(form, _stepped(form, there, data, 10.0 * slide, free, but), data, there)
             if not back.rms < there.rms:
                 break
             there = back
         if there.rms < here.rms:
-            stuck = stuck + 1 if here.rms - there.rms < exact * here.rms else 0
-            here = there
-            slide = max(0.2 * slide, _LEAST_SLIDE)
+            little = here.rms - there.rms < exact * here.rms
+            stuck = stuck + 1 if little else 0
+            here = _judged(there.state, there.feet, data)
+            slide = max((0.01 if little else 0.2) * slide, _LEAST_SLIDE)
         else:
             slide = min(10.0 * slide, 10.0)
             stuck += 1
@@ -146,25 +154,57 @@ def _descended(
 
 @dataclass(frozen=True, eq=False)
 class _Step:
-    """A state with the feet of the points on it, the weights of those that are trusted, and the rms that they leave."""
+    """A state with the feet of the points on it, the weights of those that are trusted, and the rms that they leave.
+
+    ``usual`` is the distance by which it is told which are trusted.
+    """
 
     state: State
     feet: Feet
     weights: FloatArray
     rms: float
+    usual: float
 
 
-def _at(form: Form, state: State, data: Data, near: Feet | None = None) -> _Step:
-    feet = _feet(form, state, data, near)
-    weights, limit = _trusted(feet, data)
-    return _Step(state, feet, weights, _rms(feet, data, limit))
+def _at(form: Form, state: State, data: Data, near: _Step | None = None) -> _Step:
+    """Return a state with its feet, followed from those of a step near to it, and judged by its usual distance."""
+    if near is None:
+        return _judged(state, _feet(form, state, data), data)
+    return _judged(state, _feet(form, state, data, near.feet), data, near.usual)
+
+
+def _judged(state: State, feet: Feet, data: Data, usual: float | None = None) -> _Step:
+    """Return a state without the trust in points far beyond what the others' distances let expect.
+
+    Those count as if they were as far as their limit, so that nothing is gained by losing them.
+    """
+    gap = np.linalg.norm(feet.away, axis=1)
+    own, weights, limit = ~data.border, data.weights, np.full(len(gap), np.inf)
+    if data.robust and own.any():
+        usual = 1.4826 * float(np.median(gap[own])) if usual is None else usual
+        # What the surface does not reach yet is no outlier: it is to reach it.
+        most = _OUTLIER * max(usual, 1e-9)
+        limit[own] = np.where(feet.edge[own], max(_UNREACHED, most), most)
+        far = gap > limit
+        if far.sum() < 0.3 * own.sum():
+            weights = np.where(far, 0.0, weights)
+        else:
+            limit = gap
+    total = float(data.weights.sum())
+    square = float((data.weights * np.minimum(gap, limit) ** 2).sum())
+    return _Step(state, feet, weights, float(np.sqrt(square / total)) if total > 0.0 else np.inf, usual or 0.0)
+
+
+def left_out(form: Form, data: Data, state: State) -> int:
+    """Return the number of points that a fit does not trust."""
+    return int(((_at(form, state, data).weights == 0.0) & (data.weights > 0.0)).sum())
 
 
 def spread(form: Form, data: Data, state: State) -> tuple[FloatArray, FloatArray]:
     """Return the standard deviations of the shape parameters, and the residual's, from the last normal equations."""
-    feet = _feet(form, state, data)
-    weights, _ = _trusted(feet, data)
-    made = _made(form, state, feet, data, weights, 1e-4, free=True)
+    here = _at(form, state, data)
+    feet, weights = here.feet, here.weights
+    made = _made(form, here, data, 1e-4, free=True)
     count = int((weights > 0.0).sum())
     freedom = max(count - len(state.q) - len(state.theta), 1)
     variance = float((weights * (feet.away**2).sum(axis=1)).sum()) / freedom
@@ -173,13 +213,6 @@ def spread(form: Form, data: Data, state: State) -> tuple[FloatArray, FloatArray
     tiny = 1e-12 * max(float(np.trace(made.shape)), 1e-300)
     covariance = (vectors / np.maximum(values, tiny)) @ vectors.T * variance
     return np.sqrt(np.maximum(np.diag(covariance), 0.0)), np.array(np.sqrt(variance))
-
-
-def _rms(feet: Feet, data: Data, limit: FloatArray) -> float:
-    """Return the rms of the distances; those beyond their limit count as that, so that nothing is gained by them."""
-    total = float(data.weights.sum())
-    square = np.minimum((feet.away**2).sum(axis=1), limit**2)
-    return float(np.sqrt((data.weights * square).sum() / total)) if total > 0.0 else np.inf
 
 
 def _feet(form: Form, state: State, data: Data, near: Feet | None = None) -> Feet:
@@ -210,24 +243,8 @@ def _sides(form: Form, sheet: Sheet, points: FloatArray) -> tuple[FloatArray, Fl
     return cloud[nearest], side[:, 0], side[:, 1]
 
 
-def _trusted(feet: Feet, data: Data) -> tuple[FloatArray, FloatArray]:
-    """Return the weights, without points far beyond what the others' distances let expect, and the limits of that."""
-    gap = np.linalg.norm(feet.away, axis=1)
-    limit = np.full(len(gap), np.inf)
-    own = ~data.border
-    if not data.robust or not own.any():
-        return data.weights, limit
-    usual = 1.4826 * float(np.median(gap[own]))
-    # What the surface does not reach yet is no outlier: it is to reach it.
-    most = _OUTLIER * max(usual, 1e-9)
-    limit[own] = np.where(feet.edge[own], max(_UNREACHED, most), most)
-    far = gap > limit
-    if not 0 < far.sum() < 0.3 * own.sum():
-        return data.weights, np.full(len(gap), np.inf)
-    return np.where(far, 0.0, data.weights), limit
-
-
-def _made(form: Form, state: State, feet: Feet, data: Data, weights: FloatArray, slide: float, free: bool) -> System:
+def _made(form: Form, here: _Step, data: Data, slide: float, free: bool) -> System:
+    state, feet, weights, rms = here.state, here.feet, here.weights, here.rms
     normal = feet.normal
     along = normal[:, :, None] * normal[:, None, :]
     # Where the distance is not along the normal, the foot may slide along the border alone.
@@ -237,14 +254,15 @@ def _made(form: Form, state: State, feet: Feet, data: Data, weights: FloatArray,
         along[feet.edge] = np.eye(3) - beside[:, :, None] * beside[:, None, :]
     weight = weights[:, None, None] * (slide * np.eye(3) + (1.0 - slide) * along)
     at = np.stack([feet.u, feet.v], axis=1)
-    return system_of(form, state.q, state.theta, feet.which, at, weight, feet.away, data.smooth, free)
+    noise = float(np.mean(weights)) * rms**2 if data.robust and rms > _FINE else 0.0
+    return system_of(form, state.q, state.theta, feet.which, at, weight, feet.away, data.smooth, free, noise)
 
 
 def _stepped(form: Form, here: _Step, data: Data, slide: float, free: bool, but: int | None) -> State:
     """Return the state one step on; ``slide`` is how much points may not slide along the surface meanwhile."""
     state = here.state
     free = free and len(state.theta) > 0
-    made = _made(form, state, here.feet, data, here.weights, slide, free)
+    made = _made(form, here, data, slide, free)
     theta = state.theta
     shift = np.zeros(len(theta))
     low = np.array([one.low + (1e-6 if one.open[0] else 0.0) for one in form.ranges.values()])
