@@ -1,6 +1,7 @@
 """The parts of figures: camera, painting, zero lines, words on axes, diagrams."""
 
 import json
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -8,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from matplotlib.colors import to_rgb
+from scipy.spatial import ConvexHull
 
 import quintrig
 from quintrig.basis.trigonometric import Trigonometric
@@ -385,3 +387,29 @@ def test_no_formula_is_broken_at_the_end_of_a_line(width):
 
 def notes(drawn):
     return [text.get_text().replace("\n", " ") for text in drawn.texts]
+
+
+def enclosed(corners):
+    """Return the signed area within a polygon (n, 2)."""
+    (x, y), (a, b) = corners.T, np.roll(corners, -1, axis=0).T
+    return 0.5 * float((x * b - a * y).sum())
+
+
+@pytest.mark.parametrize("view", [*camera.VIEWS.values(), camera.View("", 45.0, 0.0), camera.View("", 17.0, -90.0)])
+def test_the_outline_of_a_box_is_the_hull_of_its_corners(view):
+    axes = sheet.new_figure(4.0, 3.0).add_axes((0.0, 0.0, 1.0, 1.0))
+    stage = frame.set_stage(axes, view, np.array([-1.0, 2.0, 0.0]), np.array([3.0, 3.0, 0.5]), framed=True)
+    rim = 3.0 * stage.point
+    corners = view.project(np.array(list(product(*zip(stage.low - rim, stage.high + rim, strict=True)))))
+    assert enclosed(frame.box_outline(stage)) == pytest.approx(ConvexHull(corners[:, :2]).volume, rel=1e-12)
+
+
+@pytest.mark.parametrize("turn", [1, -1])
+def test_facets_reach_over_their_edges_and_no_farther(turn):
+    mesh = np.stack([*np.meshgrid([0.0, 1.0, 3.0], [0.0, 2.0, 2.0]), np.zeros((3, 3))], axis=-1)[::turn]
+    paint = shade.facets(mesh, camera.TOP, None, 1, np.ones((3, 3), dtype=bool), rim=0.25)
+    whole = paint.corners[np.ptp(paint.corners[..., 1], axis=1) > 1.0]
+    assert len(whole) == 2
+    assert sorted(abs(enclosed(quad)) for quad in whole) == pytest.approx([1.5 * 2.5, 2.5 * 2.5])
+    flat = shade.facets(mesh, camera.TOP, None, 1, np.ones((3, 3), dtype=bool)).corners
+    assert np.abs(paint.corners - flat).max() <= 0.5  # also of the two without any area

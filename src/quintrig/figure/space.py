@@ -165,8 +165,26 @@ def _facet_size(mesh: FloatArray) -> float:
     return float(np.median(diagonals))
 
 
+class _Quad(Path):
+    """A closed quad: plain attributes, for what would be worked out anew each time it is drawn."""
+
+    vertices: Any = None
+    codes: Any = np.array([Path.MOVETO, Path.LINETO, Path.LINETO, Path.LINETO, Path.CLOSEPOLY], dtype=Path.code_type)
+    should_simplify: Any = False
+    simplify_threshold: Any = 0.0
+
+    def __init__(self, corners: FloatArray) -> None:
+        """Keep the corners (5, 2), the first again at the end."""
+        self.vertices = corners
+
+
 class _Quads(PolyCollection):
     """Quads with an edge width each: matplotlib scales a dash pattern for every one of them, a fifth of its work."""
+
+    def set_verts(self, verts: Any, closed: bool = True) -> None:
+        """Take corners (n, 4, 2)."""
+        self._paths = [_Quad(corners) for corners in np.concatenate([verts, verts[:, :1]], axis=1)]
+        self.stale = True
 
     def set_linewidth(self, lw: Any) -> None:
         """Keep the widths; lines are solid."""
