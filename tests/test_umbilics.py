@@ -296,6 +296,11 @@ def test_the_command_prints_the_same(tmp_path):
     assert said.code == 0
     assert said.out.count("lemon") == 4
     assert "sum of indices 2.0" in said.out
+    file.write_text('kind = "ellipsoid"\na = 2\nb = 1\nc = 1\n')
+    told = json.loads(command("umbilics", file, "--json").out)
+    assert (told["complete"], told["none_elsewhere"]) == (False, True)
+    assert [(one["index"], one["proved"], len(one["box"])) for one in told["umbilics"]] == [(1.0, "index", 4)] * 2
+    assert "proved that there are none elsewhere" in command("umbilics", file).out
 
 
 def test_lines_leave_an_umbilic_as_its_directions_say():

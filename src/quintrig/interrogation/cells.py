@@ -24,6 +24,7 @@ _GRADED = 8  # halvings towards the ends, where a surface may stand still and sm
 _HALVINGS = 8
 _MOST = 2000  # cells of an axis, after which none is halved
 _MET = 2e-14  # of the largest value of a derivative in a cell
+_NOISE, _FALLS = 1e-10, 1.0 / 16.0
 _BETWEEN = np.array([-0.93, -0.31, 0.17, 0.71])
 
 _NODES = np.cos(np.pi * (np.arange(_POWERS) + 0.5) / _POWERS)
@@ -109,12 +110,15 @@ def _met(functions: Functions, breaks: FloatArray) -> tuple[FloatArray, FloatArr
     low: FloatArray = ends[:-1]
     high: FloatArray = ends[1:]
     found: list[tuple[FloatArray, FloatArray]] = []
+    before: FloatArray = np.full(len(low), np.inf)
     for halving in range(_HALVINGS + 1):
-        coefficients, met = _over(functions, low, high)
+        coefficients, off = _over(functions, low, high)
+        # What halving does not make much smaller is the rounding of the functions themselves.
+        met: BoolArray = (off <= _MET) | ((off <= _NOISE) & (off > _FALLS * before))
         if halving == _HALVINGS or len(low) > _MOST:
             met[:] = True
         found.append((low[met], coefficients[met]))
-        low, high = low[~met], high[~met]
+        low, high, before = low[~met], high[~met], np.tile(off[~met], 2)
         if not len(low):
             break
         middle: FloatArray = np.asarray(0.5 * (low + high), dtype=np.float64)
@@ -125,8 +129,11 @@ def _met(functions: Functions, breaks: FloatArray) -> tuple[FloatArray, FloatArr
     return np.append(begins[order], 1.0), np.ascontiguousarray(coefficients)
 
 
-def _over(functions: Functions, low: FloatArray, high: FloatArray) -> tuple[FloatArray, BoolArray]:
-    """Return coefficients (n, powers, width) over cells, and whether they meet the functions between their points."""
+def _over(functions: Functions, low: FloatArray, high: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return coefficients (n, powers, width) over cells, and how far they are off between their points, (n,).
+
+    It is relative to the largest value of a derivative in the cell, and 0 where there is none.
+    """
     half = 0.5 * (high - low)[:, None]
     places = np.concatenate([_NODES, _BETWEEN])
     t = np.clip((low[:, None] + half) + half * places, low[:, None], high[:, None])
@@ -135,8 +142,7 @@ def _over(functions: Functions, low: FloatArray, high: FloatArray) -> tuple[Floa
         # First the series, whose high terms are small: the powers of those are large.
         coefficients = _EXPANDED.T @ (_SERIES @ values[:, :_POWERS])
         powers = np.vander(_BETWEEN, _POWERS, increasing=True)
-        off = powers @ coefficients - values[:, _POWERS:]
-        three = values.reshape(len(low), len(places), 3, -1)
-        size = np.abs(three).max(axis=(1, 3))[:, None, :, None]
-        good = np.abs(off.reshape(len(low), len(_BETWEEN), 3, -1)) <= _MET * size
-    return coefficients, good.all(axis=(1, 2, 3)) | ~np.isfinite(values).all(axis=(1, 2))
+        off = np.abs(powers @ coefficients - values[:, _POWERS:]).reshape(len(low), len(_BETWEEN), 3, -1)
+        size = np.abs(values.reshape(len(low), len(places), 3, -1)).max(axis=(1, 3))
+        share = off.max(axis=(1, 3)) / np.where(size > 0.0, size, 1.0)
+    return coefficients, np.where(np.isfinite(values).all(axis=(1, 2)), share.max(axis=1), 0.0)

@@ -124,7 +124,7 @@ def _of_patch(patch: Patch) -> _Found:
     found.umbilics = sorted([*ones, *poles], key=lambda one: (round(one.u, 9), round(one.v, 9)))
     for axis, end in sorted(certain.untold) if certain else []:
         found.notes.append(f"{name}: a tangent vanishes along {'uv'[axis]} = {end:g}; no umbilic is told on this edge")
-    if not np.isfinite(local.spread[inside]).all() and not found.complete:
+    if not np.isfinite(local.spread[inside]).all() and not found.elsewhere:
         found.notes.append(f"{name}: has singular points, at which no umbilic is told")
     if found.told and found.told["agree"] is False:
         found.notes.append(
