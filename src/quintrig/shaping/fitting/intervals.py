@@ -66,14 +66,19 @@ def intervals(
         tried += states[1:]
         least = min(least, *states, key=lambda one: one.rms)
     slack = max(0.0, -min(float(grown.min()) for _, grown in profiles))
-    others = _others(form, few, best, tried, CHI + slack, variance)
-    found = tuple(
-        told(label, one, value, std, values, grown, slack, [other[k] for other in others])
-        for k, ((label, one), value, std, (values, grown)) in enumerate(
-            zip(form.ranges.items(), state.theta.tolist(), off.tolist(), profiles, strict=True)
+    others: list[FloatArray] = []
+
+    def found() -> tuple[ShapeValue, ...]:
+        return tuple(
+            told(label, one, value, std, *grown, slack, [other[k] for other in others])
+            for k, ((label, one), value, std, grown) in enumerate(
+                zip(form.ranges.items(), state.theta.tolist(), off.tolist(), profiles, strict=True)
+            )
         )
-    )
-    return found, least if -slack < _BETTER else None
+
+    if any(one.determined for one in found()):  # narrow valleys lie between the values that were tried
+        others += _others(form, few, best, tried, CHI + slack, variance)
+    return found(), least if -slack < _BETTER else None
 
 
 def _others(
