@@ -8,7 +8,9 @@ from scipy.spatial.transform import Rotation
 
 import cli_runner
 import quintrig
+from quintrig.basis.formulas import Parameter
 from quintrig.model.starter import starter
+from quintrig.shaping.fitting.intervals import CHI, accepted, profile, told
 from quintrig.support.parsing import parse
 
 RUN = cli_runner.quintrig
@@ -60,8 +62,29 @@ def test_shape_parameters_are_fitted_with_their_intervals():
     assert [one.name for one in fit.shape] == ["alpha1", "zeta1", "alpha2", "zeta2"]
     assert all(-4 <= one.low <= one.value <= one.high <= 1 and one.deviation > 0 for one in fit.shape)
     assert fit.model.patch().shape == tuple(one.value for one in fit.shape)
+    # Points of this noise do not tell a parameter from what the net can do; what they leave holds the truth.
+    for one, truth in zip(fit.shape, (0.5, -1.0, -2.0, 0.3), strict=True):
+        assert any(low <= truth <= high for low, high in one.intervals)
+    assert not all(one.determined for one in fit.shape)
+    assert fit.to_dict()["shape"][0]["intervals95"] == [list(span) for span in fit.shape[0].intervals]
+    assert any("poorly determined" in note for note in fit.notes)
     fixed = quintrig.fit(measured(surface, 300, 1e-3 * surface.size), shape=(0.5, -1.0, -2.0, 0.3))
     assert (fixed.model.patch().shape, fixed.shape) == ((0.5, -1.0, -2.0, 0.3), ())
+
+
+def test_intervals_of_a_profile_with_two_valleys():
+    """The sum of squares (x² - 1)² k grows by 3.84 at four places: two intervals; between far values roots are met."""
+    one = Parameter("alpha", -4.0, 1.5)
+    values, grown, _ = profile(one, -1.0, 0.05, lambda x, near: (400 * (x * x - 1) ** 2, near), None)
+    assert grown[values == -1.0] == 0
+    fine = np.linspace(-2, 2, 4001)
+    spans = accepted(fine, 400 * (fine**2 - 1) ** 2)
+    ends = np.sqrt([1 - np.sqrt(CHI / 400), 1 + np.sqrt(CHI / 400)])
+    np.testing.assert_allclose(spans, [[-ends[1], -ends[0]], [ends[0], ends[1]]], atol=1e-5)
+    said = told("alpha", one, -1.0, 0.05, fine, 400 * (fine**2 - 1) ** 2, 0.0)
+    assert said.determined
+    assert said.describe().count(" or from ") == 1
+    assert not told("alpha", one, 0.0, 1.0, fine, 0 * fine, 0.0).determined
 
 
 def test_other_bases():
@@ -139,16 +162,29 @@ def test_closed_forms_are_recovered(kind, moved):
     assert np.abs(quintrig.deviation(fit.model, points).rms - fit.rms) < 1e-9
 
 
-def test_edges_follow_the_border_or_are_held_to_curves():
-    surface = wavy()
-    points = measured(surface, 1500, 0.0)
-    t = np.linspace(0, 1, 6)
-    ends = [surface(0.0, t), surface(1.0, t), surface(t, 0.0), surface(t, 1.0)]
-    sides = [quintrig.Curve(end) for end in ends]
-    held = quintrig.fit(points, boundary=sides)
-    rim = np.concatenate([side(np.linspace(0, 1, 40)) for side in sides])
-    free = quintrig.fit(points)
-    assert quintrig.deviation(held.model, rim).rms < 0.2 * quintrig.deviation(free.model, rim).rms
+def edges_of(surface):
+    t = np.linspace(0, 1, 60)
+    matrix = quintrig.Curve(np.zeros((12, 3)), basis="bernstein").functions.derivatives(t, 0)[0]
+    rims = [surface(0 * t, t), surface(0 * t + 1, t), surface(t, 0 * t), surface(t, 0 * t + 1)]
+    return [quintrig.Curve(np.linalg.lstsq(matrix, rim, rcond=None)[0], basis="bernstein") for rim in rims]
+
+
+@pytest.mark.parametrize(
+    ("sides", "patches"), [("curves", None), (4, None), (slice(0, 2), None), (slice(1, 3), None), (4, (2, 2))]
+)
+def test_edges_follow_the_border_or_are_held_to_curves(sides, patches):
+    """A random cloud has no border but its outermost points, and noise; edges do not make the fit worse."""
+    surface = wavy((0, 0, 0, 0))
+    noise, count = 1e-3 * surface.size, 700
+    edges = edges_of(surface)
+    given = sides if sides == "curves" else edges[:sides] if isinstance(sides, int) else edges[sides]
+    fit = quintrig.fit(measured(surface, count, noise), boundary=given, patches=patches)
+    assert fit.rms < 1.1 * noise
+    assert fit.outliers <= 1
+    assert from_truth(surface, fit) < 20 * noise / np.sqrt(count)
+    if sides != "curves":
+        rim = np.concatenate([side(np.linspace(0, 1, 30)) for side in given])
+        assert quintrig.deviation(fit.model, rim).rms < 0.2 * noise
 
 
 @pytest.mark.parametrize(
@@ -191,7 +227,8 @@ def test_a_cad_face_becomes_a_patch(tmp_path):
     assert told["within_tolerance"]
     assert told["max"] <= 0.01
     assert told["unit"] == "mm"
-    assert quintrig.deviation(quintrig.load(tmp_path / "m.toml"), model).rms == pytest.approx(told["rms"], rel=0.2)
+    # At other points of the face it is as near; what is left is 1e-9 of its size, and no noise that would be even.
+    assert quintrig.deviation(quintrig.load(tmp_path / "m.toml"), model).rms < 2 * told["rms"]
 
 
 @pytest.mark.parametrize("dimension", [2, 3])

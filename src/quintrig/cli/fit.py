@@ -206,6 +206,6 @@ def _tell(result: "Fit", as_json: bool, output: Path | None) -> None:
         if name != "kind":
             row(name.replace("_", " "), ", ".join(shown(float(part)) for part in np.ravel(value).tolist()))
     for one in result.shape:
-        row(one.name, f"{one.value:.4g}, with 95 % from {one.low:.4g} to {one.high:.4g}")
+        row(one.name, one.describe())
     for note in result.notes:
         session.remark(note)

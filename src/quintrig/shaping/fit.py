@@ -41,11 +41,14 @@ _FIRST, _MAIN, _LAST = 600, 6000, 200_000
 _CLOSE, _WORSE = 1.05, 3.0
 """Times the rms of the best way to begin, between which the second is followed too: nearer it is as good."""
 
-_FEW_OUTLIERS = 0.02  # of the points: with so few it is tried whether they can be met after all
+_FEW_OUTLIERS, _NEAR_OUTLIERS = 0.02, 0.01
+"""Of the points, and of the size: with so few and so near it is tried whether they can be met after all."""
+
 _DRAWN = 0.01  # weight of a border point's distance from the edge, beside that from the surface
 _ON_CURVE = 200  # points of a given edge
 
-_PROFILE = 3000  # points by which it is tried how far a shape parameter may go
+_BETTER_FITS = 2  # times that profiles are taken, anew where they find a fit that is better by far
+_PROFILE = 1500  # points by which it is tried how far a shape parameter may go
 
 
 @watched
@@ -227,7 +230,8 @@ class _Work:
         done = [solve.refined(form, main, replace(one, rms=np.inf), False, 30, 1e-4) for one in ranked]
         best = min(done, key=lambda one: one.rms)
         best = solve.refined(form, main, best, self.free, 80)
-        if main.robust and 0 < solve.left_out(form, main, best) <= _FEW_OUTLIERS * len(main.points):
+        lost = solve.left_out(form, main, best)
+        if 0 < len(lost) <= _FEW_OUTLIERS * len(main.points) and lost.max() < _NEAR_OUTLIERS:
             # They may be no outliers, but what a surface that curls up in a corner does not reach.
             other = solve.refined(form, replace(main, robust=False), best, self.free, 30)
             other = solve.refined(form, main, replace(other, rms=np.inf), self.free, 80)
@@ -266,18 +270,24 @@ class _Work:
 
     def _told(self, form: Form, state: solve.State) -> Fit:
         """Return the model of a state, measured anew against all points."""
+        shape: tuple[ShapeValue, ...] = ()
+        notes = list(self.scan.notes)
+        if self.free and len(state.theta):
+            for _ in range(_BETTER_FITS):
+                shape, better = intervals(form, self.data.some(_PROFILE), self.data.some(_LAST), state)
+                if better is None:
+                    break
+                state = solve.refined(form, self.data.some(_LAST), replace(better, rms=np.inf), True, 40)
+            for one in shape:
+                if not one.determined:
+                    ends = f"95 % interval {one.low:.3g} to {one.high:.3g}"
+                    notes.append(f"{one.name} is poorly determined by these points: {ends}")
+                elif len(one.intervals) > 1:
+                    notes.append(f"{one.name} has {len(one.intervals)} values that fit as well, each with others")
         dumps = form.keys(state.q, state.theta, self.scale, self.centre)
         model = model_of(dumps, form.grid, self.name, self.scan.unit)
         measured = deviation(model, self.scan, tolerance=self.tolerance)
         kept = inliers(measured.distance) if self.data.robust else np.ones(len(measured), dtype=np.bool_)
-        shape: tuple[ShapeValue, ...] = ()
-        notes = list(self.scan.notes)
-        if self.free and len(state.theta):
-            shape = intervals(form, self.data.some(_PROFILE), self.data.some(_LAST), state)
-            for one, limits in zip(shape, form.ranges.values(), strict=True):
-                if one.high - one.low > 0.5 * (limits.high - limits.low):
-                    ends = f"95 % interval {one.low:.3g} to {one.high:.3g}"
-                    notes.append(f"{one.name} is poorly determined by these points: {ends}")
         if len(self.scan.points) * 3 < len(state.q):
             notes.append(f"{len(self.scan.points)} points do not determine {len(state.q)} numbers: the rest is smooth")
         facts: dict[str, Any] = {"grid": list(form.grid), "join": self.join if form.patches > 1 else None}

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from quintrig.basis.functions import Functions
 from quintrig.geometry.surface import Net, Surface
 from quintrig.model.patch import Patch
 from quintrig.multipatch.nets import handle
@@ -56,11 +57,7 @@ class State:
         if self.space.of is None or not isinstance(rows, Net):
             return _partials(self.surface, u, v, order)
         fu, fv = self._functions(u, v, order)
-        points = rows.points.reshape(len(rows.points), -1)
-        along = [(part @ points).reshape(len(u), -1, 3) for part in fu]
-        found = [(fv[b][:, None] @ along[a])[:, 0] for a, b in INDICES[: _COUNTS[order]]]
-        found[0] = found[0] + self.surface.origin
-        return np.stack(found)
+        return _combined(fu, fv, rows.points, self.surface.origin, order)
 
     def _functions(self, u: FloatArray, v: FloatArray, order: int) -> tuple[FloatArray, FloatArray]:
         """Return the derivatives of the functions in u and v; a search asks for the same ones again and again."""
@@ -121,7 +118,26 @@ class State:
     def _changes(self, u: FloatArray, v: FloatArray, order: int) -> Iterator[tuple[int, FloatArray]]:
         """Yield the derivatives of all that ``partials`` returns by each unknown that is taken by differences."""
         for (index, _), (ahead, back, step) in zip(self.space.by_steps, self._neighbours, strict=True):
-            yield index, (_partials(ahead, u, v, order) - _partials(back, u, v, order)) / step
+            yield index, (self._beside(ahead, u, v, order) - self._beside(back, u, v, order)) / step
+
+    def _beside(self, surface: Surface, u: FloatArray, v: FloatArray, order: int) -> FloatArray:
+        """Return what ``partials`` does, of a surface a step away; most of the functions are those of the others."""
+        rows = surface.rows
+        if not isinstance(rows, Net) or surface.rational:
+            return _partials(surface, u, v, order)
+        fu, fv = (self._derived(family, t, order) for family, t in ((rows.functions, u), (surface.blend, v)))
+        return _combined(fu, fv, rows.points, surface.origin, order)
+
+    def _derived(self, family: Functions, t: FloatArray, order: int) -> FloatArray:
+        """Return the derivatives of a family, kept while the patch is here."""
+        key = (family, order, t.tobytes())
+        if key not in self._kept:
+            self._kept[key] = family.derivatives(t, order)
+        return self._kept[key]
+
+    @cached_property
+    def _kept(self) -> dict[Any, FloatArray]:
+        return {}
 
 
 @dataclass(frozen=True, eq=False)
@@ -259,6 +275,15 @@ def _step(space: Unknowns, index: int) -> float:
     except (ValueError, ArithmeticError):
         pass
     return 1e-5 * width
+
+
+def _combined(fu: FloatArray, fv: FloatArray, points: FloatArray, origin: FloatArray, order: int) -> FloatArray:
+    """Return partial derivatives (indices, n, 3) from those of the functions, (order + 1, n, k) each way."""
+    flat = points.reshape(len(points), -1)
+    along = [(part @ flat).reshape(len(part), -1, 3) for part in fu]
+    found = [(fv[b][:, None] @ along[a])[:, 0] for a, b in INDICES[: _COUNTS[order]]]
+    found[0] = found[0] + origin
+    return np.stack(found)
 
 
 def _partials(surface: Surface, u: FloatArray, v: FloatArray, order: int) -> FloatArray:

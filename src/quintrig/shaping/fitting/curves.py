@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from quintrig.basis.formulas import Parameter
 from quintrig.basis.functions import Functions
 from quintrig.basis.pairs import families, parameters
 from quintrig.basis.registry import entry
@@ -13,10 +14,15 @@ from quintrig.model.model import Model
 from quintrig.scan.deviation import Deviation
 from quintrig.scan.scan import Scan
 from quintrig.shaping.fitting.forms import USUAL
+from quintrig.shaping.fitting.intervals import profile, told
 from quintrig.shaping.fitting.result import Fit, ShapeValue
 from quintrig.support.arrays import BoolArray, FloatArray, frozen
 from quintrig.support.scipy_inside import linalg_, shortest, tree_of
 
+_Found = tuple[FloatArray, FloatArray]
+"""Net and shape parameters of a fit."""
+
+_MORE = 60  # rounds of a fit that begins from one near
 _FINE = 401  # parameters at which the nearest place is looked for
 _ROUNDS, _SETTLED = 150, 12  # rounds at most, and those before the shape parameters move
 _WANDERING = 30.0  # sizes: a way through the points longer than this does not follow a curve
@@ -71,10 +77,9 @@ def fit_curve(
         )
         parts.append(_measured(points, functions(theta), net, t, label, scan.unit, tolerance))
         kept.append(inside)
-        for one, value, std in zip(ranges, theta.tolist(), off.tolist(), strict=True) if free else ():
-            named = one.name if len(runs) == 1 else f"{label} {one.name}"
-            low, high = max(one.low, value - 1.96 * std), min(one.high, value + 1.96 * std)
-            values.append(ShapeValue(named, value, std, low, high))
+        if free:
+            prefix = "" if len(runs) == 1 else f"{label} "
+            values += _intervals(points, functions, (net, theta), inside, off, ranges, held, prefix)
     header: dict[str, Any] = {"name": name} | ({"unit": scan.unit} if scan.unit else {})
     if len(tables) == 1:
         tables[0].pop("name")
@@ -82,6 +87,43 @@ def fit_curve(
     else:
         model = Model.from_dict(header | {"patch": tables})
     return Fit(model, "curve", _joined(parts), np.concatenate(kept), tuple(values), tolerance, {}, scan.notes)
+
+
+def _intervals(
+    points: FloatArray,
+    functions: Any,
+    found: _Found,
+    kept: BoolArray,
+    off: FloatArray,
+    ranges: Sequence[Parameter],
+    held: tuple[bool, bool],
+    prefix: str,
+) -> list[ShapeValue]:
+    """Return the shape parameters of a fit, net and shape, with their intervals, by fits anew at other values."""
+    points = points[kept]
+    net, theta = found
+    family = functions(theta)
+    gap = points - family.derivatives(_nearest(points, family, net), 0)[0] @ net
+    square = float((gap**2).sum())
+    freedom = max(len(points) * (points.shape[1] - 1) - net.size - len(theta), 1)
+    variance = max(square / freedom, 1e-30 * float(np.ptp(points, axis=0).max()) ** 2)
+    profiles: list[tuple[FloatArray, FloatArray]] = []
+    for k, one in enumerate(ranges):
+
+        def fitted(wanted: float, near: _Found, k: int = k) -> tuple[float, _Found]:
+            shape = near[1].copy()
+            shape[k] = wanted
+            own, shape, t, _, _ = _fitted(points, functions, shape, ranges, held, False, k, near[0])
+            rest = points - functions(shape).derivatives(t, 0)[0] @ own
+            return (float((rest**2).sum()) - square) / variance, (own, shape)
+
+        values, grown, _ = profile(one, float(theta[k]), float(off[k]), fitted, found)
+        profiles.append((values, grown))
+    slack = max(0.0, -min(float(grown.min()) for _, grown in profiles))
+    return [
+        told(prefix + one.name, one, value, std, values, grown, slack)
+        for one, value, std, (values, grown) in zip(ranges, theta.tolist(), off.tolist(), profiles, strict=True)
+    ]
 
 
 def _runs(scan: Scan) -> list[tuple[str, FloatArray, tuple[bool, bool]]]:
@@ -106,9 +148,19 @@ def _runs(scan: Scan) -> list[tuple[str, FloatArray, tuple[bool, bool]]]:
 
 
 def _fitted(
-    points: FloatArray, functions: Any, theta: FloatArray, free: Sequence[Any], held: tuple[bool, bool], robust: bool
+    points: FloatArray,
+    functions: Any,
+    theta: FloatArray,
+    free: Sequence[Any],
+    held: tuple[bool, bool],
+    robust: bool,
+    but: int | None = None,
+    begun: FloatArray | None = None,
 ) -> tuple[FloatArray, FloatArray, FloatArray, BoolArray, FloatArray]:
-    """Return net, shape parameters, parameters of the points, which count, and the shape's standard deviations."""
+    """Return net, shape parameters, parameters of the points, which count, and the shape's standard deviations.
+
+    Of the ``free`` shape parameters the one ``but`` stays where it is; the net is ``begun`` with if given.
+    """
     n, dimension = points.shape
     moves = functions(theta).partition
     centre, scale = (points.mean(axis=0) if moves else np.zeros(dimension)), float(np.linalg.norm(np.ptp(points, 0)))
@@ -119,11 +171,15 @@ def _fitted(
     ends |= {functions(theta).size - 1: p[-1]} if held[1] else {}
     kept = np.ones(n, dtype=np.bool_)
     weight = np.tile(np.eye(dimension), (n, 1, 1))
-    net = _net(p, functions(theta).derivatives(t, 0)[0], weight, np.zeros((functions(theta).size, dimension)), ends)
+    if begun is None:
+        net = _net(p, functions(theta).derivatives(t, 0)[0], weight, np.zeros((functions(theta).size, dimension)), ends)
+    else:
+        net = (begun - centre) / scale
+    settled, rounds = (_SETTLED, _ROUNDS) if begun is None else (0, _MORE)
     best, least, slide = (net, theta), np.inf, 0.3
     stuck = 0
     off = np.zeros(len(theta))
-    for k in range(_ROUNDS):
+    for k in range(rounds):
         family = functions(theta)
         t = _nearest(p, family, net)
         d = family.derivatives(t, 1)
@@ -150,7 +206,7 @@ def _fitted(
         inner = ((t > 0.0) & (t < 1.0) & kept)[:, None, None]
         weight = np.eye(dimension) - np.where(inner, (1.0 - slide) * along[:, :, None] * along[:, None, :], 0.0)
         weight = weight * kept[:, None, None]
-        shift, off = _shape_step(gap, d[0], weight, functions, theta, t, net, free if k >= _SETTLED else (), slide)
+        shift, off = _shape_step(gap, d[0], weight, functions, theta, t, net, free if k >= settled else (), slide, but)
         theta = theta + shift
         net = net + _net(
             gap - _change(functions, theta - shift, theta, t, net), d[0], weight, net * 0.0, dict.fromkeys(ends)
@@ -195,6 +251,7 @@ def _shape_step(
     net: FloatArray,
     free: Sequence[Any],
     slide: float,
+    but: int | None,
 ) -> tuple[FloatArray, FloatArray]:
     """Return the step of the shape parameters with the net eliminated, within their ranges, and their deviations."""
     if not free:
@@ -202,6 +259,9 @@ def _shape_step(
     columns: list[FloatArray] = []
     for k, one in enumerate(free):
         step = 1e-3 * (one.high - one.low)
+        if k == but:
+            columns.append(np.zeros_like(gap))
+            continue
         low, high = theta.copy(), theta.copy()
         low[k], high[k] = max(theta[k] - step, one.low + 1e-9), min(theta[k] + step, one.high - 1e-9)
         columns.append(_change(functions, low, high, t, net) / (high[k] - low[k]))

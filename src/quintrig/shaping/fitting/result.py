@@ -12,18 +12,35 @@ from quintrig.support.arrays import BoolArray
 
 @dataclass(frozen=True)
 class ShapeValue:
-    """A shape parameter that was fitted: its value, standard deviation, and the ends of its 95 % interval."""
+    """A shape parameter that was fitted: its value, standard deviation, and where it lies with 95 %.
+
+    That is in one of ``intervals``, all of them from ``low`` to ``high``; not ``determined`` where they are most of the
+    range that it may have.
+    """
 
     name: str
     value: float
     deviation: float
     low: float
     high: float
+    intervals: tuple[tuple[float, float], ...]
+    determined: bool
 
-    @property
-    def determined(self) -> bool:
-        """Whether the interval is narrower than half of the range that the parameter may have."""
-        return self.high - self.low < 2.5
+    def describe(self) -> str:
+        """Return the value and the intervals in words."""
+        spans = " or ".join(f"from {low:.4g} to {high:.4g}" for low, high in self.intervals)
+        return f"{self.value:.4g}, {'' if self.determined else 'not determined: '}with 95 % {spans}"
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return plain values."""
+        return {
+            "name": self.name,
+            "value": self.value,
+            "std": self.deviation,
+            "interval95": [self.low, self.high],
+            "intervals95": [list(span) for span in self.intervals],
+            "determined": self.determined,
+        }
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,10 +101,7 @@ class Fit:
             "max_all": float(np.abs(self.deviation.distance).max()),
             "tolerance": self.tolerance,
             "within_tolerance": self.within_tolerance,
-            "shape": [
-                {"name": s.name, "value": s.value, "std": s.deviation, "interval95": [s.low, s.high]}
-                for s in self.shape
-            ],
+            "shape": [one.to_dict() for one in self.shape],
             "patches": [{"name": patch.name, "kind": patch.kind} for patch in self.model.patches],
             **self.facts,
             "percentiles": told["percentiles"],

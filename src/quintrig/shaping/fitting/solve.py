@@ -38,6 +38,9 @@ _TOLD = 0.1
 _EDGE = 101
 """Places along an edge from which the feet of border points are followed."""
 
+_RIM = 0.03
+"""Of a patch: points nearer to an edge may come to lie beyond it, where distances are no smooth function of the fit."""
+
 _FINE = 1e-5
 """Of the size: noise of points below which they tell all of a surface, as exact ones do."""
 
@@ -126,7 +129,7 @@ def _descended(
 ) -> tuple["_Step", int]:
     """Return the best step of so many rounds, and how many there were."""
     slide, stuck, number = 0.3, 0, 0
-    exact = max(exact, _TOLD / len(data.points))
+    exact = max(exact, _TOLD / len(data.points)) if data.robust else exact
     for number in range(rounds):
         if data.progress:
             data.progress(f"fitting {form.patches or 1} patch{'es' if form.patches > 1 else ''}", number, rounds)
@@ -195,9 +198,27 @@ def _judged(state: State, feet: Feet, data: Data, usual: float | None = None) ->
     return _Step(state, feet, weights, float(np.sqrt(square / total)) if total > 0.0 else np.inf, usual or 0.0)
 
 
-def left_out(form: Form, data: Data, state: State) -> int:
-    """Return the number of points that a fit does not trust."""
-    return int(((_at(form, state, data).weights == 0.0) & (data.weights > 0.0)).sum())
+def left_out(form: Form, data: Data, state: State) -> FloatArray:
+    """Return the distances (n,) of the points that a fit does not trust."""
+    here = _at(form, state, data)
+    return np.linalg.norm(here.feet.away[(here.weights == 0.0) & (data.weights > 0.0)], axis=1)
+
+
+def inner(form: Form, data: Data, state: State) -> Data:
+    """Return the points that are no outliers and have their feet away from the edges, and all border points."""
+    here = _at(form, state, data)
+    at = Sheet(form, state.q, state.theta).together(here.feet.which, here.feet.u, here.feet.v)
+    within = ((at > _RIM) & (at < np.array(form.grid) - _RIM)).all(axis=1)
+    kept = (here.weights > 0.0) & (within | data.border)
+    return replace(data, points=data.points[kept], weights=data.weights[kept], border=data.border[kept], robust=False)
+
+
+def variance(form: Form, data: Data, state: State) -> float:
+    """Return the variance of the weighted distances of points other than border points, never 0."""
+    here = _at(form, state, data)
+    own = (here.weights > 0.0) & ~data.border
+    freedom = max(int(own.sum()) - len(state.q) - len(state.theta), 1)
+    return max(float((here.weights * (here.feet.away**2).sum(axis=1))[own].sum()) / freedom, 1e-28)
 
 
 def spread(form: Form, data: Data, state: State) -> tuple[FloatArray, FloatArray]:
