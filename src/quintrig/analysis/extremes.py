@@ -1,9 +1,7 @@
 """Minimum, maximum and mean of quantities over a surface, and where the extremes are.
 
-The quantity is sampled on a grid that includes edges and corners. Around the best local extremes of the samples a
-window of 9 x 9 points closes in on the extreme: it moves while the best point lies on its border and shrinks otherwise,
-down to 1e-9 of the domain. Windows are cut off at the edges of the domain, so an extreme on an edge or at a corner is
-met exactly. A feature that is narrower than a grid cell and missed by all samples is not found. Of a trimmed face only
+The quantity is sampled on a grid that includes edges and corners, and windows close in on the best local extremes of
+the samples. A feature that is narrower than a grid cell and missed by all samples is not found. Of a trimmed face only
 points inside its loops count, and the loops themselves are searched along their length.
 A curvature that is zero to rounding is told as 0. Beside singular edges two rings decide whether curvature has a bound,
 as in integrals and sweeps (``beside``).
@@ -19,12 +17,12 @@ from numpy.typing import NDArray
 from quintrig.analysis.integrate import Integral, area_means, orientation
 from quintrig.analysis.sample import analyse
 from quintrig.analysis.singular_edges import Limit, limits
+from quintrig.analysis.windows import FINEST, SHRINK, Reached, Starts, closed_in, values_of, without_rounding
 from quintrig.geometry.domain import face_grid
 from quintrig.geometry.surface import Surface
 from quintrig.geometry.trimmed import along, window
 from quintrig.quantities.table import quantity
 from quintrig.support.arrays import BoolArray, FloatArray, typical
-from quintrig.support.tolerance import rounding_floor
 
 if TYPE_CHECKING:
     from quintrig.enclosures.search import Bounds
@@ -36,20 +34,9 @@ _GROUPS = 12  # values of local extremes of the samples that are refined, at up 
 _EQUAL = 1e-8  # values this close, relative to the natural size of the quantity, count as equal
 _ROUNDING = 1e-13
 _CANCELLED = 1e-10  # curvatures nowhere above this share of C or C² are rounding of zero
-_RISE = (
-    1e-2  # a hundred times nearer to an undefined point, a value without bound has at least doubled and risen by this
-)
-_POLE = 1e3  # a refined value this many times the largest sample has no bound either
-_BOUNDED = ("shape_index", "beta0_surface")
 _APART = 1e-3  # places further apart than this share of the size are different places
-_FINEST = 1e-9  # half the width of the last window
-_BESIDE = 1e-3  # windows that hold undefined points stop here: beyond, rounding beside a singular point takes over
-_SHRINK = 0.3  # a little more than the distance of two points of a window, a quarter of its half width
-_STEPS = 100
 _ALONG = 64  # samples of a loop's side as long as the domain
 _MOST_ALONG = 8192  # samples of a loop
-_OFFSETS = 0.25 * (np.argwhere(np.ones((9, 9))) - 4)  # of the points of a window, (81, 2), from -1 to 1
-
 
 _Limits = Mapping[tuple[str, float], Limit]
 
@@ -121,7 +108,7 @@ def find_extremes(
     curved, inside = sample["curvedness"], surface.inside(u, v)
     results: dict[str, Extremes] = {}
     for key in keys:
-        values = _without_rounding(sample[key], curved, surface.size, key)[inside]
+        values = without_rounding(sample[key], curved, surface.size, key)[inside]
         defined = np.isfinite(values)
         mean = float(values[defined].mean()) if defined.any() else np.nan
         bounds = _bounds(surface, key) if certified else None
@@ -152,20 +139,39 @@ def find_ends(surface: Surface, keys: Sequence[str], samples: int = 65) -> dict[
     usual = typical(curved)
     # Where C itself vanishes its own rounding is the measure.
     curved_at = np.maximum(curved, 1e-5 * usual)
-    results: dict[str, tuple[Extreme, Extreme]] = {}
+    zeros: dict[str, Extreme] = {}
+    sought: dict[tuple[str, float], tuple[FloatArray, float, Starts]] = {}
     for key in keys:
-        values = np.where(inside, _without_rounding(sample[key], curved, surface.size, key), np.nan)
+        values = np.where(inside, without_rounding(sample[key], curved, surface.size, key), np.nan)
         defined = np.isfinite(values)
         power = quantity(key).power
         # Curvatures may cancel; the size of their rounding is that of C to the same power.
         natural = usual ** (-power) if power <= 0 else 0.0
         if power < 0 and defined.any() and (np.abs(values) <= _CANCELLED * curved_at**-power)[defined].all():
-            minimum = maximum = _zero(surface, _place(surface, np.argwhere(defined)[0], samples))
-        else:
-            minimum = _extreme(surface, key, values, 1.0, natural, beside)
-            maximum = _extreme(surface, key, values, -1.0, natural, beside)
-        results[key] = minimum, maximum
-    return results
+            zeros[key] = _zero(surface, _place(surface, np.argwhere(defined)[0], samples))
+            continue
+        for sense in (1.0, -1.0):
+            limit = beside.get((key, sense))
+            if defined.any() and not (limit and limit.unbounded):
+                costs = np.where(defined, sense * values, np.inf)
+                largest = max(float(np.abs(values[defined]).max()), natural)
+                starts = _local_minima(costs, largest)
+                at = _place(surface, starts, samples)
+                sought[key, sense] = costs, natural, Starts(key, sense, at, costs[starts[:, 0], starts[:, 1]], largest)
+    # All at once: one call for all windows takes little longer than one for a single window.
+    reached = dict(
+        zip(sought, closed_in(surface, [one[2] for one in sought.values()], 1.0 / (samples - 1.0)), strict=True)
+    )
+
+    def end(key: str, sense: float) -> Extreme:
+        if (key, sense) in sought:
+            return _extreme(surface, *sought[key, sense], reached[key, sense], (key, sense) in beside)
+        limit = beside.get((key, sense))
+        if limit and limit.unbounded:
+            return Extreme(limit.value, limit.u, limit.v, surface(limit.u, limit.v), True, "unbounded")
+        return Extreme(np.nan, np.nan, np.nan, np.full(3, np.nan), False, "undefined")
+
+    return {key: (zeros[key], zeros[key]) if key in zeros else (end(key, 1.0), end(key, -1.0)) for key in keys}
 
 
 def _zero(surface: Surface, place: FloatArray) -> Extreme:
@@ -186,31 +192,18 @@ def _place(surface: Surface, index: NDArray[np.intp], samples: int) -> FloatArra
     return low + (high - low) * index / (samples - 1.0)
 
 
-def _without_rounding(values: FloatArray, curved: FloatArray, size: float, key: str) -> FloatArray:
-    """Return the values with 0 for curvatures that are only rounding, ``curved`` being C at the same points."""
-    power = quantity(key).power
-    return np.where(np.abs(values) <= rounding_floor(curved, size, power), 0.0, values) if power < 0 else values
-
-
 def _extreme(
-    surface: Surface, key: str, values: FloatArray, sense: float, natural: float, beside_edges: _Limits
+    surface: Surface, costs: FloatArray, natural: float, starts: Starts, reached: Reached, limited: bool
 ) -> Extreme:
-    """Return the least value (sense 1) or the greatest (-1), starting from the samples (n, n)."""
-    limit = beside_edges.get((key, sense))
-    if limit and limit.unbounded:
-        return Extreme(limit.value, limit.u, limit.v, surface(limit.u, limit.v), True, "unbounded")
-    costs = np.where(np.isfinite(values), sense * values, np.inf)
-    n = len(costs)
-    if not np.isfinite(costs).any():
-        return Extreme(np.nan, np.nan, np.nan, np.full(3, np.nan), False, "undefined")
-    largest = max(float(np.abs(costs[np.isfinite(costs)]).max()), natural)
-    starts = _local_minima(costs, largest)
-    places, found, beside, growing = _refine(
-        surface, key, sense, _place(surface, starts, n), costs[starts[:, 0], starts[:, 1]], 1.0 / (n - 1.0), largest
-    )
-    growing &= limit is None
+    """Return the least of sense · q of the samples' costs (n, n) and of what windows have reached from them.
+
+    A value that is ``limited`` beside singular edges does not grow without bound there.
+    """
+    sense, n = starts.sense, len(costs)
+    places, found, beside = reached.places, reached.values, reached.beside
+    growing = reached.growing & (not limited)
     if surface.trim:
-        rim, least = _on_loops(surface, key, sense, largest)
+        rim, least = _on_loops(surface, starts.key, sense, starts.largest)
         places, found = np.concatenate([places, rim]), np.concatenate([found, least])
         inner: BoolArray = np.zeros(len(least), dtype=np.bool_)
         beside, growing = np.concatenate([beside, inner]), np.concatenate([growing, inner])
@@ -267,43 +260,6 @@ def _local_minima(costs: FloatArray, scale: float) -> NDArray[np.intp]:
     return found[np.concatenate(chosen)]
 
 
-def _refine(
-    surface: Surface, key: str, sense: float, places: FloatArray, best: FloatArray, width: float, largest: float
-) -> tuple[FloatArray, FloatArray, BoolArray, BoolArray]:
-    """Close in on minima of sense · q from ``places`` (c, 2), where it is ``best`` (c,); ``largest`` sample |q|.
-
-    Returns the places, the values, where the last window held undefined points, and where it grew without bound.
-    """
-    widths = np.full(len(places), width)
-    each = np.arange(len(places))
-    done: BoolArray = np.zeros(len(places), dtype=np.bool_)
-    beside = done
-    for _ in range(_STEPS):
-        near = np.clip(places[:, None] + widths[:, None, None] * _OFFSETS, 0.0, 1.0)
-        values = _values(surface, key, near[..., 0], near[..., 1])
-        defined = np.isfinite(values)
-        beside = np.any(~defined, axis=1)
-        inside = surface.inside(near[..., 0], near[..., 1]) if surface.trim else True
-        costs = np.where(defined & inside, sense * values, np.inf)
-        choice = costs.argmin(axis=1)
-        better = ~done & (costs[each, choice] < best)
-        moved = near[each, choice]
-        # On the border of the window, but not of the domain, the extreme may lie further out: go on before shrinking.
-        roam = better & ((np.abs(_OFFSETS[choice]) == 1.0) & (moved > 0.0) & (moved < 1.0)).any(axis=1)
-        places = np.where(better[:, None], moved, places)
-        best = np.where(better, costs[each, choice], best)
-        done |= ~roam & ((widths <= _FINEST) | (beside & (widths <= _BESIDE)))
-        if done.all():
-            break
-        widths = np.where(roam, np.minimum(2.0 * widths, width), np.where(done, widths, _SHRINK * widths))
-    if key in _BOUNDED:
-        return places, best, beside, np.zeros(len(places), dtype=np.bool_)
-    nearer, probe = _probe(surface, key, sense, places, widths)
-    unbounded = np.maximum(np.abs(best), _RISE * largest) <= best - probe
-    places, best = np.where(unbounded[:, None], nearer, places), np.where(unbounded, probe, best)
-    return places, best, beside, unbounded | (np.abs(best) > _POLE * largest)
-
-
 def _on_loops(surface: Surface, key: str, sense: float, largest: float) -> tuple[FloatArray, FloatArray]:
     """Return places (c, 2) on the trim loops where sense · q is least, and its values (c,)."""
     places: list[FloatArray] = []
@@ -319,43 +275,19 @@ def _on_loops(surface: Surface, key: str, sense: float, largest: float) -> tuple
         chosen = np.flatnonzero(least)
         chosen = chosen[np.argsort(costs[chosen], kind="stable")[:_GROUPS]]
         t, best, width = t[chosen], costs[chosen], 1.0 / parts
-        while len(t) and width > _FINEST:
+        while len(t) and width > FINEST:
             near = t[:, None] + width * np.linspace(-1.0, 1.0, 9)
             costs = _costs(surface, key, sense, along(loop, near))
             choice = costs.argmin(axis=1)
             each = np.arange(len(t))
             better = costs[each, choice] < best
             t, best = np.where(better, near[each, choice], t), np.where(better, costs[each, choice], best)
-            width *= _SHRINK
+            width *= SHRINK
         places.append(along(loop, t))
         found.append(best)
     return np.concatenate(places), np.concatenate(found)
 
 
 def _costs(surface: Surface, key: str, sense: float, at: FloatArray) -> FloatArray:
-    values = _values(surface, key, at[..., 0], at[..., 1])
+    values = values_of(surface, [key], np.zeros(len(at), dtype=np.intp), at)
     return np.where(np.isfinite(values), sense * values, np.inf)
-
-
-def _values(surface: Surface, key: str, u: FloatArray, v: FloatArray) -> FloatArray:
-    """Return the quantity, 0 where it is only rounding."""
-    if quantity(key).power >= 0:
-        return analyse(surface, u, v, (key,))[key]
-    sample = analyse(surface, u, v, tuple(dict.fromkeys((key, "curvedness"))))
-    return _without_rounding(sample[key], sample["curvedness"], surface.size, key)
-
-
-def _probe(
-    surface: Surface, key: str, sense: float, places: FloatArray, widths: FloatArray
-) -> tuple[FloatArray, FloatArray]:
-    """Go from ``places`` 99 % of the way to the nearest undefined point of the window.
-
-    Returns the new places and sense · q there, infinite where the window has no undefined point.
-    """
-    near = np.clip(places[:, None] + widths[:, None, None] * _OFFSETS, 0.0, 1.0)
-    undefined = ~np.isfinite(analyse(surface, near[..., 0], near[..., 1], (key,))[key])
-    distance = np.where(undefined, np.linalg.norm(near - places[:, None], axis=-1), np.inf)
-    target = near[np.arange(len(places)), distance.argmin(axis=1)]
-    nearer = places + 0.99 * (target - places)
-    values = sense * analyse(surface, nearer[:, 0], nearer[:, 1], (key,))[key]
-    return nearer, np.where(undefined.any(axis=1) & np.isfinite(values), values, np.inf)
