@@ -119,7 +119,7 @@ def gauss(ends: FloatArray, count: int = NODES) -> tuple[FloatArray, FloatArray]
 
 @cache
 def _legendre(count: int) -> tuple[FloatArray, FloatArray]:
-    """Return the nodes and weights of a panel from -1 to 1; they are the eigenvalues of a matrix, and asked for often."""
+    """Return the nodes and weights of a panel from -1 to 1: eigenvalues of a matrix, which are asked for often."""
     return np.polynomial.legendre.leggauss(count)
 
 
