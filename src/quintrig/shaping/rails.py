@@ -31,18 +31,18 @@ class Rail:
     back: tuple[bool, ...] = (False,)
 
     @cached_property
-    def _paces(self) -> tuple[tuple[FloatArray, ...], FloatArray]:
-        """The coefficients of each curve's own parameter by its share of the arc length, and the breaks (n + 1,)."""
+    def _paces(self) -> tuple[tuple[Any, ...], FloatArray]:
+        """Splines of each curve's own parameter over its share of the arc length, and the breaks (n + 1,)."""
         nodes, weights = np.polynomial.legendre.leggauss(8)
         grid = np.linspace(0.0, 1.0, _SITES)
         inner = grid[:-1, None] + 0.5 * (nodes + 1.0) / (_SITES - 1)
         lengths: list[float] = []
-        found: list[FloatArray] = []
+        found: list[Any] = []
         for curve in self.curves:
             speed = np.linalg.norm(curve.derivatives(inner, 1)[1], axis=-1)
             steps = np.concatenate([[0.0], np.cumsum(speed @ weights)])
             lengths.append(0.5 * float(steps[-1]) / (_SITES - 1))
-            found.append(steps / steps[-1])
+            found.append(spline(steps / steps[-1], grid))
         ends = np.concatenate([[0.0], np.cumsum(lengths)])
         return tuple(found), ends / ends[-1]
 
@@ -60,7 +60,7 @@ class Rail:
         """Return points and first derivatives (2, n, 3) at parameters (n,); ``left`` takes those before a break."""
         if len(self.curves) == 1:
             return _run(self.curves[0], t, self.back[0])
-        shares, breaks = self._paces
+        own_of, breaks = self._paces
         index = np.clip(np.searchsorted(breaks, t, "left" if left else "right") - 1, 0, len(self.curves) - 1)
         result = np.empty((2, len(t), 3))
         for k, curve in enumerate(self.curves):
@@ -71,7 +71,7 @@ class Rail:
             share = np.clip((t[here] - breaks[k]) / width, 0.0, 1.0)
             if self.back[k]:
                 share = 1.0 - share
-            own = np.clip(spline(shares[k], np.linspace(0.0, 1.0, _SITES))(share), 0.0, 1.0)
+            own = np.clip(own_of[k](share), 0.0, 1.0)
             d = curve.derivatives(own, 1)
             speed = np.linalg.norm(d[1], axis=-1, keepdims=True)
             sign = -1.0 if self.back[k] else 1.0
