@@ -9,7 +9,6 @@ than it says. A trimmed face has nodes inside its loops only (``trimmed``).
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache
 from itertools import pairwise
 from typing import Literal
 
@@ -17,6 +16,7 @@ import numpy as np
 
 from quintrig.geometry.trimmed import Nodes
 from quintrig.support.arrays import BoolArray, FloatArray, number
+from quintrig.support.legendre import legendre
 
 Status = Literal["converged", "not converged", "grows without bound", "undefined"]
 
@@ -112,15 +112,9 @@ def node_sums(density: Density, nodes: Nodes) -> FloatArray:
 
 def gauss(ends: FloatArray, count: int = NODES) -> tuple[FloatArray, FloatArray]:
     """Return the Gauss-Legendre nodes and weights, ``count`` on each panel between two ``ends``."""
-    nodes, weights = _legendre(count)
+    nodes, weights = legendre(count)
     half = 0.5 * np.diff(ends)
     return (ends[:-1, None] + half[:, None] * (nodes + 1.0)).reshape(-1), (half[:, None] * weights).reshape(-1)
-
-
-@cache
-def _legendre(count: int) -> tuple[FloatArray, FloatArray]:
-    """Return the nodes and weights of a panel from -1 to 1: eigenvalues of a matrix, which are asked for often."""
-    return np.polynomial.legendre.leggauss(count)
 
 
 def converge(measure: Measure, tolerance: float, panels: int) -> tuple[list[Integral], int]:

@@ -6,8 +6,9 @@ import numpy as np
 
 from quintrig.basis.functions import Functions
 from quintrig.support.arrays import FloatArray
+from quintrig.support.legendre import legendre
 
-_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(24)
+_NODES, _WEIGHTS = legendre(24)
 
 
 def energy(functions: Functions, order: int) -> FloatArray:

@@ -4,6 +4,7 @@ import numpy as np
 
 from quintrig.developables.rulings import Rulings
 from quintrig.support.arrays import BoolArray, FloatArray
+from quintrig.support.legendre import legendre
 
 _NODES = 16
 
@@ -18,7 +19,7 @@ class Panels:
         pieces = [low + (high - low) * steps for low, high in zip(lines.breaks[:-1], lines.breaks[1:], strict=True)]
         self.edges: FloatArray = np.concatenate([*pieces, [1.0]])
         half = 0.5 * np.diff(self.edges)
-        nodes, self.weights = np.polynomial.legendre.leggauss(_NODES)
+        nodes, self.weights = legendre(_NODES)
         self.t = 0.5 * (self.edges[1:] + self.edges[:-1])[:, None] + half[:, None] * nodes
         self._to_series = np.linalg.inv(np.polynomial.legendre.legvander(nodes, _NODES - 1))
         self.half = half

@@ -8,6 +8,7 @@ import numpy as np
 from quintrig.developables.regression import locate
 from quintrig.geometry.surface import Surface
 from quintrig.support.arrays import BoolArray, FloatArray
+from quintrig.support.legendre import legendre
 from quintrig.support.tolerance import rounding
 
 _STRAIGHT = 1e-10
@@ -145,7 +146,7 @@ def _boundaries(surface: Surface, along: str, t: FloatArray) -> tuple[FloatArray
 
 def _swept(slope: FloatArray, ruling: FloatArray) -> FloatArray:
     """Return the area swept per unit of the parameter, ∫ |S_t x (B - A)| dv, shape (n,)."""
-    nodes, weights = np.polynomial.legendre.leggauss(8)
+    nodes, weights = legendre(8)
     result: FloatArray = np.zeros(len(ruling))
     for node, weight in zip(0.5 + 0.5 * nodes, 0.5 * weights, strict=True):
         result += weight * _norm(_cross((1.0 - node) * slope[0] + node * slope[1], ruling))

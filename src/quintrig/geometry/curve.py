@@ -14,6 +14,7 @@ from quintrig.geometry.curve_queries import Queries
 from quintrig.geometry.origin import local_origin
 from quintrig.support.arrays import FloatArray, frozen, number, parameter, whole
 from quintrig.support.display import Shown
+from quintrig.support.legendre import legendre
 from quintrig.support.pickled import Pickled
 
 _SINGULAR = 1e-13  # speed below this share of the polygon's length: the tangent is lost to rounding
@@ -179,7 +180,7 @@ class Curve(Queries, Pickled, Shown):
         return np.where(factor * speed <= _SINGULAR * self._polygon(), np.nan, speed)
 
     def _lengths(self, low: FloatArray, high: FloatArray) -> FloatArray:
-        nodes, weights = np.polynomial.legendre.leggauss(16)
+        nodes, weights = legendre(16)
         half = 0.5 * (high - low)
         t = 0.5 * (low + high)[:, None] + half[:, None] * nodes
         return half * (_norm(self.derivatives(np.clip(t, 0.0, 1.0), 1)[1]) @ weights)

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from quintrig.geometry.curve_frames import Frames
 from quintrig.support.arrays import FloatArray
+from quintrig.support.legendre import legendre
 
 _NODES = 16  # of a panel
 _DEEPEST = 48  # halvings of a panel after which an integral that still grows is infinite
@@ -109,7 +110,7 @@ class Measures(Frames):
 
     def _bending(self, panels: Sequence[tuple[float, float]]) -> FloatArray:
         low, high = np.array(panels).T[:, :, None]
-        nodes, weights = np.polynomial.legendre.leggauss(_NODES)
+        nodes, weights = legendre(_NODES)
         half = 0.5 * (high - low)
         t = np.clip(0.5 * (low + high) + half * nodes, 0.0, 1.0)
         speed = np.linalg.norm(self.derivatives(t, 1)[1], axis=-1)
@@ -151,7 +152,7 @@ class Measures(Frames):
             raise ValueError("area: expected a plane curve (n x 2 points), found one in space")
         edges = np.linspace(0.0, 1.0, 9)
         half = 0.5 * np.diff(edges)[:, None]
-        nodes, weights = np.polynomial.legendre.leggauss(_NODES)
+        nodes, weights = legendre(_NODES)
         t = (0.5 * (edges[:-1] + edges[1:])[:, None] + half * nodes).ravel()
         values = self.derivatives(t, 1)
         return values[0].T, values[1].T, (half * weights).ravel()

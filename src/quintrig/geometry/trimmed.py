@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quintrig.support.arrays import BoolArray, FloatArray
+from quintrig.support.legendre import legendre
 
 _ON_LOOP = 1e-9  # parameters this near to a loop are on it
 _SAME = 1e-13  # cuts this near are one
@@ -114,7 +115,7 @@ def nodes_inside(
     found: list[tuple[FloatArray, FloatArray, FloatArray]] = []
     for nodes, chosen in _rules(widths / panel, count):
         here = chosen[slab]
-        s, a = np.polynomial.legendre.leggauss(nodes)
+        s, a = legendre(nodes)
         half = 0.5 * widths[slab[here]]
         u = (cuts[slab[here]] + half)[:, None] + half[:, None] * s
         below, above = (_at(start[e[here]], end[e[here]], u) for e in (low, high))
@@ -169,7 +170,7 @@ def _along(u: FloatArray, spans: FloatArray, weights: FloatArray, v_ends: FloatA
     low = np.maximum(v_ends[np.maximum(k - 1, 0)], below[line])
     high = np.minimum(v_ends[np.minimum(k, len(v_ends) - 1)], above[line])
     half = 0.5 * np.maximum(high - low, 0.0)
-    t, w = np.polynomial.legendre.leggauss(count)
+    t, w = legendre(count)
     v = (low + half)[:, None] + half[:, None] * t
     every = np.broadcast_to(u[line][:, None], v.shape)
     return Nodes(every.ravel(), np.clip(v, 0.0, 1.0).ravel(), ((weights[line] * half)[:, None] * w).ravel())

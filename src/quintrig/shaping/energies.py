@@ -16,6 +16,7 @@ from quintrig.shaping.derivatives import FIRST_AND_SECOND, Affine, at_grid, by_n
 from quintrig.shaping.forms import forms, pulled_back
 from quintrig.support.arrays import FloatArray
 from quintrig.support.errors import nearest
+from quintrig.support.legendre import legendre
 
 ENERGIES = ("thin_plate", "bending", "variation")
 """The names of the energies."""
@@ -128,6 +129,6 @@ def _gram(of: Affine, axis: int, order: int) -> list[FloatArray]:
 
 def nodes(breaks: FloatArray, count: int) -> tuple[FloatArray, FloatArray]:
     """Return Gauss's nodes and weights on every span between breaks."""
-    x, w = np.polynomial.legendre.leggauss(count)
+    x, w = legendre(count)
     low, width = breaks[:-1, None], np.diff(breaks)[:, None]
     return (low + width * (x + 1.0) / 2.0).ravel(), (width * w / 2.0).ravel()

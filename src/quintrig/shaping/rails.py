@@ -10,6 +10,7 @@ import numpy as np
 
 from quintrig.geometry.curve import Curve
 from quintrig.support.arrays import FloatArray
+from quintrig.support.legendre import legendre
 
 _SITES = 257  # at which the arc length of a curve of several is found
 _MEET = 1e-6  # of the size: as near as curves of one rail must come to each other
@@ -33,7 +34,7 @@ class Rail:
     @cached_property
     def _paces(self) -> tuple[tuple[Any, ...], FloatArray]:
         """Splines of each curve's own parameter over its share of the arc length, and the breaks (n + 1,)."""
-        nodes, weights = np.polynomial.legendre.leggauss(8)
+        nodes, weights = legendre(8)
         grid = np.linspace(0.0, 1.0, _SITES)
         inner = grid[:-1, None] + 0.5 * (nodes + 1.0) / (_SITES - 1)
         lengths: list[float] = []

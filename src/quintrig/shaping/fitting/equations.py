@@ -10,6 +10,7 @@ from quintrig.basis.functions import Functions
 from quintrig.shaping.fitting import gram_jit
 from quintrig.shaping.fitting.forms import Form
 from quintrig.support.arrays import FloatArray
+from quintrig.support.legendre import legendre
 from quintrig.support.scipy_inside import sparse_
 
 _LEAST_SMOOTH = 1e-9
@@ -125,7 +126,7 @@ def _moves(form: Form, theta: FloatArray, at: FloatArray, which: NDArray[np.int6
 
 def _thin_plate(u: Functions, v: Functions) -> FloatArray:
     """Return the quadratic form of ∫∫ |S_uu|² + 2 |S_uv|² + |S_vv|² du dv in one coordinate of the net."""
-    nodes, weights = np.polynomial.legendre.leggauss(16)
+    nodes, weights = legendre(16)
     t, w = 0.5 * (nodes + 1.0), 0.5 * weights
     grams = [
         [np.einsum("n,ni,nj->ij", w, d[k], d[k]) for k in range(3)] for d in (u.derivatives(t, 2), v.derivatives(t, 2))
